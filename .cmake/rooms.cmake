@@ -44,13 +44,13 @@ if(NOT DEFINED CMAKE_UNITY_BUILD_BATCH_SIZE)
   set(CMAKE_UNITY_BUILD_BATCH_SIZE 6)
 endif()
 
-# overturn_room(name [BASE dir] [LIGHT] [APART] ROOMS ... EXTERNAL ...)
+# overturn_room(name [BASE dir] [LOW_OPT] [NO_UNITY] ROOMS ... EXTERNAL ...)
 # All files of the folder BASE/name (BASE: default src/) and of its folder `detail`, whose headers are the room's own: no
-# other room may include them. Headers are included as "room/file.hpp". LIGHT: the room reads, keeps or writes, which no
+# other room may include them. Headers are included as "room/file.hpp". LOW_OPT: the room reads, keeps or writes, which no
 # campaign waits for.
-# APART: its files are never compiled several at a time, so that what they keep to themselves may bear the same names.
+# NO_UNITY: its files are never compiled several at a time, so that what they keep to themselves may bear the same names.
 function(overturn_room name)
-  cmake_parse_arguments(ARG "LIGHT;APART" "BASE" "ROOMS;EXTERNAL" ${ARGN})
+  cmake_parse_arguments(ARG "LOW_OPT;NO_UNITY" "BASE" "ROOMS;EXTERNAL" ${ARGN})
   if(NOT ARG_BASE)
     set(ARG_BASE "${PROJECT_SOURCE_DIR}/src")
   endif()
@@ -63,7 +63,7 @@ function(overturn_room name)
   endif()
   set(target overturn_${name})
   add_library(${target} STATIC ${sources})
-  if(ARG_APART)
+  if(ARG_NO_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD OFF)
   endif()
   # What is compiled once per instruction set is a unit of its own in any case.
@@ -76,7 +76,7 @@ function(overturn_room name)
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS "${ARG_BASE}" FILES ${headers})
   set_target_properties(${target} PROPERTIES LINKER_LANGUAGE CXX)
   target_link_libraries(${target} PUBLIC overturn_options ${ARG_EXTERNAL})
-  if(ARG_LIGHT)
+  if(ARG_LOW_OPT)
     target_compile_options(${target} PRIVATE -O1)
     if(CMAKE_UNITY_BUILD_BATCH_SIZE)
       math(EXPR batch "2 * ${CMAKE_UNITY_BUILD_BATCH_SIZE}")

@@ -53,13 +53,13 @@ std::vector<BlockRows> parted(BlockRows all, Plan const& plan, std::span<std::in
     std::span<WaveRow const> waves(all.waves);
     std::span<MeasureRow const> measures(all.measures);
     std::span<TrialRow const> trials(all.trials.rows);
-    std::span<std::byte const> own(all.trials.own);
+    std::span<std::byte const> own(all.trials.extra);
     for (auto const block : blocks) {
         auto const count = plan.waves_of_block(block).count;
         auto const of_trials = count * plan.trials_per_wave();
         parts.push_back({next_of(waves, count),
                          next_of(measures, count * plan.bodies()),
-                         {next_of(trials, of_trials), next_of(own, of_trials * plan.own_bytes())}});
+                         {next_of(trials, of_trials), next_of(own, of_trials * plan.extra_bytes())}});
     }
     return parts;
 }
@@ -76,7 +76,7 @@ std::int64_t blocks_together(Plan const& plan) {
 
 std::optional<std::vector<BlockRows>> run_blocks(CampaignSpec const& spec, Plan const& plan,
                                                  std::span<std::int64_t const> blocks, PhaseSeconds& seconds,
-                                                 std::function<bool()> const& goes_on, KnownTrials const* known) {
+                                                 std::function<bool()> const& keep_running, KnownTrials const* known) {
     auto const together = static_cast<std::size_t>(waves_together(plan));
     auto const numbers = waves_of(plan, blocks);
     BlockRows all;
@@ -85,14 +85,14 @@ std::optional<std::vector<BlockRows>> run_blocks(CampaignSpec const& spec, Plan 
         auto const count = std::min(together, numbers.size() - next);
         waves.reserve(count);
         for (auto const wave : std::span(numbers).subspan(next, count)) {
-            if (!goes_on()) {
+            if (!keep_running()) {
                 return std::nullopt;
             }
             waves.push_back(prepare_wave(spec, plan, wave, seconds));
             all.waves.push_back(waves.back().row);
             all.measures.insert(all.measures.end(), waves.back().measures.begin(), waves.back().measures.end());
         }
-        if (!append_trials(spec, plan, waves, all.trials, seconds, goes_on, known)) {
+        if (!append_trials(spec, plan, waves, all.trials, seconds, keep_running, known)) {
             return std::nullopt;
         }
     }
@@ -104,7 +104,7 @@ std::vector<std::byte> BlockRows::pack() const {
     put(bytes, waves);
     put(bytes, measures);
     put(bytes, trials.rows);
-    put(bytes, trials.own);
+    put(bytes, trials.extra);
     return bytes;
 }
 
@@ -113,7 +113,7 @@ std::size_t BlockRows::packed_size(Plan const& plan, std::int64_t block) {
         return static_cast<std::size_t>(plan.waves_of_block(block).count * per_wave);
     };
     return rows(1) * sizeof(WaveRow) + rows(plan.bodies()) * sizeof(MeasureRow)
-           + rows(plan.trials_per_wave()) * (sizeof(TrialRow) + static_cast<std::size_t>(plan.own_bytes()));
+           + rows(plan.trials_per_wave()) * (sizeof(TrialRow) + static_cast<std::size_t>(plan.extra_bytes()));
 }
 
 BlockRows BlockRows::unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves) {
@@ -121,7 +121,7 @@ BlockRows BlockRows::unpack(std::span<std::byte const> bytes, Plan const& plan, 
     take(bytes, rows.waves, waves);
     take(bytes, rows.measures, waves * plan.bodies());
     take(bytes, rows.trials.rows, waves * plan.trials_per_wave());
-    take(bytes, rows.trials.own, waves * plan.trials_per_wave() * plan.own_bytes());
+    take(bytes, rows.trials.extra, waves * plan.trials_per_wave() * plan.extra_bytes());
     if (!bytes.empty()) {
         throw SystemError("a block of results is too long (written by another version?). Start anew without --resume");
     }

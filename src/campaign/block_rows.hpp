@@ -27,12 +27,12 @@ struct BlockRows {
 };
 
 /// Blocks of few trials computed together, so that trials on one model fill the vector lanes; each has the bytes that
-/// it has alone. \param goes_on asked before every wave; nothing comes of the blocks once it says no
+/// it has alone. \param keep_running asked before every wave; nothing comes of the blocks once it says no
 /// \param known trials that are not computed again, or null
 [[nodiscard]] std::optional<std::vector<BlockRows>> run_blocks(CampaignSpec const& spec, Plan const& plan,
                                                                std::span<std::int64_t const> blocks,
                                                                PhaseSeconds& seconds,
-                                                               std::function<bool()> const& goes_on,
+                                                               std::function<bool()> const& keep_running,
                                                                KnownTrials const* known = nullptr);
 /// How many blocks are worth computing together.
 [[nodiscard]] std::int64_t blocks_together(Plan const& plan);

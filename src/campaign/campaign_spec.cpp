@@ -114,7 +114,7 @@ void read_source(Table const& root, Table const& waves, InputFiles& files, Campa
 
 // Effects that are forced need what they speak of.
 void check_forced_effects(Table const& effects, CampaignSpec const& spec) {
-    auto const ladder = effects.located("include", [&] { return std::make_unique<Ladder>(spec.effects); });
+    auto const selector = effects.located("include", [&] { return std::make_unique<ModelSelector>(spec.effects); });
     for (auto const& body : spec.bodies) {
         bool const in_plane = has(spec.effects.include, Effect::contact) && !has(spec.effects.include, Effect::spatial);
         if (in_plane && body.footing.base.shape == BaseShape::polygon) {
@@ -128,7 +128,7 @@ void check_forced_effects(Table const& effects, CampaignSpec const& spec) {
                                      "slips). Add friction to the body",
                                      body.name));
         }
-        auto const unable = ladder->impossible({body.body, body.friction, body.footing, body.axes});
+        auto const unable = selector->impossible({body.body, body.friction, body.footing, body.axes});
         if (unable != 0 && body.planar_key() == nullptr) {
             effects.fail("include", fmt::format("{} forced on '{}' (no model can simulate it of this body: the usual "
                                                 "pad does not hold it upright). State its base or pad",

@@ -16,7 +16,7 @@
 #include "config/input_value.hpp"
 #include "core/input_files.hpp"
 #include "generators/wave_source.hpp"
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 #include "spectra/window_energy.hpp"
 
 namespace overturn {

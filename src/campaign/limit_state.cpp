@@ -131,7 +131,7 @@ std::string definition_of(LimitState const& limit, std::span<LimitState const> l
     return "the body fell over";
 }
 
-LimitJudge::LimitJudge(std::span<LimitState const> limits, Ladder const& ladder) : limits_(limits) {
+LimitJudge::LimitJudge(std::span<LimitState const> limits, ModelSelector const& selector) : limits_(limits) {
     OVERTURN_EXPECT(limits.size() <= most_limits);
     for (std::size_t l = 0; l < limits.size(); ++l) {
         auto const& quantity = limits[l].quantity;
@@ -140,7 +140,7 @@ LimitJudge::LimitJudge(std::span<LimitState const> limits, Ladder const& ladder)
         if (quantity.name.empty() || column) {
             continue;
         }
-        for (auto const& [traits, offset] : ladder.own_parts()) {
+        for (auto const& [traits, offset] : selector.extra_parts()) {
             auto const found = std::ranges::find(traits->fields, quantity.name, &Field::name);
             if (found != traits->fields.end()) {
                 own_.push_back({l, traits->number, *found});
@@ -150,7 +150,7 @@ LimitJudge::LimitJudge(std::span<LimitState const> limits, Ladder const& ladder)
     }
 }
 
-bool LimitJudge::reads_own() const { return !own_.empty(); }
+bool LimitJudge::reads_extra() const { return !own_.empty(); }
 
 // NaN where it is unknown.
 double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const {
@@ -160,7 +160,7 @@ double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<st
         return told ? value_at(bytes_of(row), *columns_[limit]) : never;
     }
     auto const part = std::ranges::find_if(
-        own_, [&](Own const& candidate) { return candidate.limit == limit && candidate.rung == row.rung; });
+        own_, [&](Own const& candidate) { return candidate.limit == limit && candidate.model == row.model; });
     return part == own_.end() || own.empty() ? never : value_at(own, part->field);
 }
 

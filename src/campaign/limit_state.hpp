@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "campaign/rows.hpp"
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 #include "stats/fragility.hpp"
 #include "stats/intensity_unit.hpp"
 #include "stats/precision.hpp"
@@ -83,7 +83,7 @@ inline constexpr std::size_t most_limits = 32;
 class LimitJudge {
   public:
     /// \param limits outlive it
-    LimitJudge(std::span<LimitState const> limits, Ladder const& ladder);
+    LimitJudge(std::span<LimitState const> limits, ModelSelector const& selector);
 
     /// \param own the record of what models have to say of their own; empty: unknown
     [[nodiscard]] LimitOutcomes judge(TrialRow const& row, std::span<std::byte const> own) const;
@@ -92,12 +92,12 @@ class LimitJudge {
     /// overturning. NaN where it is not known.
     [[nodiscard]] double nearness(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const;
     /// Does any limit hang on such a record?
-    [[nodiscard]] bool reads_own() const;
+    [[nodiscard]] bool reads_extra() const;
 
   private:
     struct Own {
         std::size_t limit;
-        std::int64_t rung;
+        std::int64_t model;
         Field field;  ///< its offset is that in the record
     };
     [[nodiscard]] double value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const;

@@ -41,7 +41,7 @@ Bears always(CampaignSpec const& /*spec*/) { return Bears::yes; }
 Bears where_no_second_component(CampaignSpec const& spec) {
     bool const across = states(spec, "waves.transverse") || has_records(spec);
     bool const shaken = std::ranges::any_of(spec.bodies, [](BodySpec const& body) { return body.axes > 1; });
-    return across && shaken && allows(spec, Effect::spatial) ? Bears::where_not_called_for : Bears::yes;
+    return across && shaken && allows(spec, Effect::spatial) ? Bears::where_not_required : Bears::yes;
 }
 
 Bears where_no_vertical_component(CampaignSpec const& spec) {
@@ -50,7 +50,7 @@ Bears where_no_vertical_component(CampaignSpec const& spec) {
     return up && shaken && allows(spec, Effect::vertical) ? Bears::no : Bears::yes;
 }
 
-Bears where_rigid(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::where_not_called_for : Bears::yes; }
+Bears where_rigid(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::where_not_required : Bears::yes; }
 
 Bears on_corners(CampaignSpec const& spec) {
     return of_bodies(spec,

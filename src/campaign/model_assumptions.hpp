@@ -14,7 +14,7 @@ enum class Misjudged { safe, unsafe, unknown };
 
 /// Does an assumption bear on a campaign: on none of its trials, on all, or on those that auto does not find another
 /// effect called for?
-enum class Bears { no, yes, where_not_called_for };
+enum class Bears { no, yes, where_not_required };
 
 /// One fixed assumption of the model.
 struct ModelAssumption {

@@ -50,7 +50,7 @@ Plan::Plan(CampaignSpec const& spec)
       bodies_(std::ssize(spec.bodies)),
       levels_per_wave_(independent_ ? 1 : std::ssize(spec.levels.levels)),
       block_size_(waves_per_block(count_ * groups_of(spec), bodies_ * levels_per_wave_, spec)),
-      own_bytes_(static_cast<std::int64_t>(Ladder(spec.effects, spec.accuracy).own_bytes())) {
+      extra_bytes_(static_cast<std::int64_t>(ModelSelector(spec.effects, spec.accuracy).extra_bytes())) {
     for (auto const& level : spec.levels.levels) {
         level_keys_.push_back(level.key());
     }

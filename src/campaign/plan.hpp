@@ -30,8 +30,8 @@ class Plan {
     [[nodiscard]] std::int64_t trials() const { return waves_ * trials_per_wave(); }
     [[nodiscard]] std::int64_t blocks() const { return (waves_ + block_size_ - 1) / block_size_; }
     [[nodiscard]] std::int64_t block_size() const { return block_size_; }
-    /// Of what models have to say of their own about a trial (Ladder::own_bytes).
-    [[nodiscard]] std::int64_t own_bytes() const { return own_bytes_; }
+    /// Of what models have to say of their own about a trial (ModelSelector::extra_bytes).
+    [[nodiscard]] std::int64_t extra_bytes() const { return extra_bytes_; }
 
     /// The same campaign with these of its waves only, rising, `count` of each group or all that could be had. Its own
     /// first wave is the first of them.
@@ -91,7 +91,7 @@ class Plan {
     std::int64_t count_;            ///< waves asked for, shared or per level
     std::int64_t drawn_per_group_;  ///< that may be drawn, shared or per level
     std::int64_t chosen_per_group_;
-    std::int64_t waves_, bodies_, levels_per_wave_, block_size_, own_bytes_;
+    std::int64_t waves_, bodies_, levels_per_wave_, block_size_, extra_bytes_;
     std::optional<std::vector<std::int64_t>> numbers_;  ///< of chosen waves
 };
 

@@ -53,9 +53,9 @@ RareProblem::RareProblem(CampaignSpec const& spec, std::size_t body, std::size_t
     : body_number_(body),
       body_(spec.bodies.at(body)),
       waves_(spec.source->from_normals()),
-      ladder_(spec.effects, spec.accuracy),
-      judge_(spec.limits, ladder_),
-      site_(spec.site, spec.bodies, ladder_),
+      selector_(spec.effects, spec.accuracy),
+      judge_(spec.limits, selector_),
+      site_(spec.site, spec.bodies, selector_),
       limit_(limit),
       scatter_(body_.scattering().size()) {}
 
@@ -116,10 +116,10 @@ void RareProblem::respond_each(std::span<double const> normals, std::span<double
                               .chunks = nullptr});
         }
     }
-    auto const bytes = judge_.reads_own() || site_.asked() ? ladder_.own_bytes() : 0;
+    auto const bytes = judge_.reads_extra() || site_.asked() ? selector_.extra_bytes() : 0;
     std::vector<std::byte> records(trials.size() * bytes);
     std::vector<Response> responses(trials.size());
-    (void)ladder_.respond(trials, responses, records);
+    (void)selector_.respond(trials, responses, records);
     for (std::size_t t = 0; t < trials.size(); ++t) {
         auto const& [wave, drawn, peak] = items[t / factors.size()];
         double const demand = trials[t].scale * peak / drawn.body.uplift_acceleration_mps2();
@@ -148,7 +148,7 @@ void RareProblem::show(std::span<double const> normals, double factor, Observer&
     auto const drawn = body_of(normals);
     Scene const scene{drawn.body, drawn.friction, body_.footing, body_.axes};
     SceneTrial const trial{.scene = scene, .motion = wave, .scale = factor};
-    ladder_.show(trial, ladder_.respond(trial), observer);
+    selector_.show(trial, selector_.respond(trial), observer);
 }
 
 rare::Moment RareProblem::moment(std::span<double const> normals, double factor) const {

@@ -10,7 +10,7 @@
 #include "campaign/site_judge.hpp"
 #include "generators/normal_waves.hpp"
 #include "rare/problem.hpp"
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 
 namespace overturn {
 
@@ -52,7 +52,7 @@ class RareProblem : public rare::Problem {
     std::size_t body_number_;
     BodySpec const& body_;
     std::unique_ptr<NormalWaves> waves_;
-    Ladder ladder_;
+    ModelSelector selector_;
     LimitJudge judge_;
     SiteJudge site_;
     std::size_t limit_;

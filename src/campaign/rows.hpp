@@ -85,10 +85,10 @@ struct TrialRow : Response {
     std::array<double, trial_measures> measured = unknown<trial_measures>();  ///< of the scaled wave, in that order
 };
 
-/// Rows of trials, and for each the record of what models have to say of their own (Ladder::own_parts).
+/// Rows of trials, and for each the record of what models have to say of their own (ModelSelector::extra_parts).
 struct TrialRows {
     std::vector<TrialRow> rows;
-    std::vector<std::byte> own;
+    std::vector<std::byte> extra;
 };
 
 template <> [[nodiscard]] Fields const& fields_of<WaveRow>();

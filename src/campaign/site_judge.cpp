@@ -65,9 +65,9 @@ double followed_until_s(TrialRow const& row) {
     return always;
 }
 
-SiteJudge::SiteJudge(Site const& site, std::span<BodySpec const> bodies, Ladder const& ladder)
+SiteJudge::SiteJudge(Site const& site, std::span<BodySpec const> bodies, ModelSelector const& selector)
     : site_(site), bodies_(bodies), bases_(bodies.begin(), bodies.end()) {
-    for (auto const& [traits, offset] : ladder.own_parts()) {
+    for (auto const& [traits, offset] : selector.extra_parts()) {
         auto const yaw = own_field(*traits, offset, "peak_yaw");
         OfModel model{traits->number, {}, yaw.value_or(Field{})};
         bool all = yaw.has_value();
@@ -92,11 +92,11 @@ std::optional<std::size_t> SiteJudge::neighbour_of(std::int64_t body) const {
 SiteJudge::PerSide SiteJudge::spatial_ways(Trial const& trial, OfModel const& model) const {
     auto const& base = bases_[trial.row.body];
     double const tilted_m = base.farthest_m() * (1 - std::cos(std::min(trial.row.peak_rotation_rad, pi / 2)));
-    double const turn_rad = std::abs(real_at(trial.own, model.yaw));
+    double const turn_rad = std::abs(real_at(trial.extra, model.yaw));
     PerSide ways{};
     for (std::size_t i = 0; i < Sides::count; ++i) {
         double const rest_m = base.within_m(i, 0);
-        double const far_m = (i % 2 == 0 ? 1 : -1) * real_at(trial.own, model.edges[i]);
+        double const far_m = (i % 2 == 0 ? 1 : -1) * real_at(trial.extra, model.edges[i]);
         double const middle_m = far_m - base.farthest_m() + tilted_m;
         double const turned_m = middle_m + base.within_m(i, turn_rad) + tilted_m;
         ways[i] = std::min(far_m, turned_m) - rest_m;
@@ -105,8 +105,8 @@ SiteJudge::PerSide SiteJudge::spatial_ways(Trial const& trial, OfModel const& mo
 }
 
 SiteJudge::PerSide SiteJudge::base_ways(Trial const& trial) const {
-    auto const model = std::ranges::find(models_, trial.row.rung, &OfModel::rung);
-    if (model != models_.end() && !trial.own.empty()) {
+    auto const model = std::ranges::find(models_, trial.row.model, &OfModel::model);
+    if (model != models_.end() && !trial.extra.empty()) {
         auto ways = spatial_ways(trial, *model);
         for (auto& way : ways) {
             way = way < 0 ? 0 : way;  // what is not known stays so

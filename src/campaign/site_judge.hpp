@@ -12,7 +12,7 @@
 #include "campaign/body_spec.hpp"
 #include "campaign/rows.hpp"
 #include "campaign/site.hpp"
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 
 namespace overturn {
 
@@ -32,12 +32,12 @@ namespace overturn {
 class SiteJudge {
   public:
     /// \param bodies and `site` outlive it
-    SiteJudge(Site const& site, std::span<BodySpec const> bodies, Ladder const& ladder);
+    SiteJudge(Site const& site, std::span<BodySpec const> bodies, ModelSelector const& selector);
 
     /// A trial of one of the bodies, and what models have to say of their own.
     struct Trial {
         TrialRow const& row;  ///< of which the body, its drawn height and the response count
-        std::span<std::byte const> own;
+        std::span<std::byte const> extra;
     };
     /// \param row of `trial`
     /// \param neighbour the trial of neighbour_of its body, under the same wave at the same level; without one the
@@ -59,7 +59,7 @@ class SiteJudge {
     [[nodiscard]] PerSide leans(TrialRow const& row) const;
 
     struct OfModel {
-        std::int64_t rung;
+        std::int64_t model;
         std::array<Field, Sides::count> edges;  ///< their offsets are those in the record
         Field yaw;                              ///< likewise
     };

@@ -36,9 +36,9 @@ void PhaseSeconds::add(PhaseSeconds const& more) {
     measures += more.measures;
     response += more.response;
     store += more.store;
-    for (std::size_t r = 0; r < rungs.size(); ++r) {
-        rungs[r].trials += more.rungs[r].trials;
-        rungs[r].seconds += more.rungs[r].seconds;
+    for (std::size_t r = 0; r < models.size(); ++r) {
+        models[r].trials += more.models[r].trials;
+        models[r].seconds += more.models[r].seconds;
     }
 }
 
@@ -146,23 +146,23 @@ void close_row(CampaignSpec const& spec, TrialRow& row, PreparedWave const& wave
     row.ou_v_e_safe = row.ou_v_e_mps < row.v_ereq_mps ? 1 : 0;
 }
 
-void account(std::vector<RungCost> const& taken, PhaseSeconds& seconds) {
+void account(std::vector<ModelCost> const& taken, PhaseSeconds& seconds) {
     for (std::size_t r = 0; r < taken.size(); ++r) {
-        seconds.rungs[r].trials += taken[r].trials;
-        seconds.rungs[r].seconds += taken[r].seconds;
+        seconds.models[r].trials += taken[r].trials;
+        seconds.models[r].seconds += taken[r].seconds;
         seconds.response += taken[r].seconds;
     }
 }
 
 // A trial alone, but for what a site makes of it.
-TrialRows answered(CampaignSpec const& spec, Ladder const& ladder, PreparedWave const& wave, std::int64_t body,
+TrialRows answered(CampaignSpec const& spec, ModelSelector const& selector, PreparedWave const& wave, std::int64_t body,
                    std::int64_t level) {
-    TrialRows trial{{open_row(spec, wave, body, level)}, std::vector<std::byte>(ladder.own_bytes())};
+    TrialRows trial{{open_row(spec, wave, body, level)}, std::vector<std::byte>(selector.extra_bytes())};
     auto& row = trial.rows.front();
-    ladder.put_nothing(trial.own);
+    selector.put_defaults(trial.extra);
     if (!failed(row)) {
         auto const scene = scene_of(spec, wave, body);
-        close_row(spec, row, wave, ladder.respond(scaled(scene, wave, row), trial.own));
+        close_row(spec, row, wave, selector.respond(scaled(scene, wave, row), trial.extra));
     }
     return trial;
 }
@@ -170,7 +170,7 @@ TrialRows answered(CampaignSpec const& spec, Ladder const& ladder, PreparedWave 
 /// What answered trials.
 struct Answering {
     CampaignSpec const& spec;
-    Ladder const& ladder;
+    ModelSelector const& selector;
     PreparedWave const& wave;
 };
 
@@ -178,7 +178,7 @@ struct Answering {
 void show(Answering const& by, TrialRow const& row, Observer& observer) {
     if (!std::isnan(row.scale)) {
         auto const scene = scene_of(by.spec, by.wave, row.body);
-        by.ladder.show(scaled(scene, by.wave, row), row, observer);
+        by.selector.show(scaled(scene, by.wave, row), row, observer);
     }
 }
 
@@ -202,9 +202,9 @@ void judge_site(SiteJudge const& site, Plan const& plan, TrialRows& trials, std:
     }
     std::size_t const of_wave = plan.trials_per_wave();
     std::size_t const levels = plan.level_count();
-    auto const each = trials.own.size() / std::max<std::size_t>(1, trials.rows.size());
+    auto const each = trials.extra.size() / std::max<std::size_t>(1, trials.rows.size());
     auto const trial = [&](std::size_t number) {
-        return SiteJudge::Trial{trials.rows[number], std::span(trials.own).subspan(number * each, each)};
+        return SiteJudge::Trial{trials.rows[number], std::span(trials.extra).subspan(number * each, each)};
     };
     for (auto number = first_row; number < trials.rows.size(); ++number) {
         auto const place = (number - first_row) % of_wave;
@@ -220,31 +220,31 @@ void judge_site(SiteJudge const& site, Plan const& plan, TrialRows& trials, std:
 
 TrialRows run_trial(CampaignSpec const& spec, PreparedWave const& wave, std::int64_t body, std::int64_t level,
                     Observer* observer) {
-    Ladder const ladder(spec.effects, spec.accuracy);
-    SiteJudge const site(spec.site, spec.bodies, ladder);
-    auto trial = answered(spec, ladder, wave, body, level);
+    ModelSelector const selector(spec.effects, spec.accuracy);
+    SiteJudge const site(spec.site, spec.bodies, selector);
+    auto trial = answered(spec, selector, wave, body, level);
     TrialRows other;
     std::optional<SiteJudge::Trial> neighbour;
     if (auto const number = site.neighbour_of(body)) {
-        other = answered(spec, ladder, wave, *number, level);
-        neighbour.emplace(SiteJudge::Trial{other.rows.front(), other.own});
+        other = answered(spec, selector, wave, *number, level);
+        neighbour.emplace(SiteJudge::Trial{other.rows.front(), other.extra});
     }
     if (observer != nullptr && site.asked()) {
-        show_in_its_room({spec, ladder, wave}, trial.rows.front(), neighbour, *observer);
+        show_in_its_room({spec, selector, wave}, trial.rows.front(), neighbour, *observer);
     } else if (observer != nullptr) {
-        show({spec, ladder, wave}, trial.rows.front(), *observer);
+        show({spec, selector, wave}, trial.rows.front(), *observer);
     }
-    site.fill(trial.rows.front(), {trial.rows.front(), trial.own}, neighbour);
+    site.fill(trial.rows.front(), {trial.rows.front(), trial.extra}, neighbour);
     return trial;
 }
 
 bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, TrialRows& trials,
-                   PhaseSeconds& seconds, std::function<bool()> const& goes_on, KnownTrials const* known) {
+                   PhaseSeconds& seconds, std::function<bool()> const& keep_running, KnownTrials const* known) {
     struct Place {
         std::size_t row;
         PreparedWave const* wave;
     };
-    Ladder const ladder(spec.effects, spec.accuracy);
+    ModelSelector const selector(spec.effects, spec.accuracy);
     std::vector<Place> places;
     std::vector<SceneTrial> tried;
     std::vector<Scene> scenes;
@@ -255,9 +255,9 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
     tried.reserve(most);
     scenes.reserve(waves.size() * plan.bodies());
     rows.reserve(rows.size() + most);
-    auto const each = ladder.own_bytes();
-    trials.own.resize((first_row + most) * each);
-    ladder.put_nothing(std::span(trials.own).subspan(first_row * each));
+    auto const each = selector.extra_bytes();
+    trials.extra.resize((first_row + most) * each);
+    selector.put_defaults(std::span(trials.extra).subspan(first_row * each));
     for (auto const& wave : waves) {
         auto const first_level = plan.first_level(wave.number);
         auto const first_of_wave = rows.size();
@@ -266,7 +266,7 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
             scenes.push_back(scene_of(spec, wave, body));
             for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
                 rows.push_back(open_row(spec, wave, body, level));
-                auto const own = std::span(trials.own).subspan((rows.size() - 1) * each, each);
+                auto const own = std::span(trials.extra).subspan((rows.size() - 1) * each, each);
                 if (failed(rows.back()) || told.take(rows.size() - 1 - first_of_wave, rows.back(), own)) {
                     continue;
                 }
@@ -279,20 +279,20 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
     std::vector<Response> responses(std::min(most_at_once, tried.size()));
     std::vector<std::byte> own(responses.size() * each);
     for (std::size_t first = 0; first < tried.size(); first += most_at_once) {
-        if (first > 0 && !goes_on()) {
+        if (first > 0 && !keep_running()) {
             return false;
         }
         auto const count = std::min(most_at_once, tried.size() - first);
-        account(ladder.respond(std::span(tried).subspan(first, count), std::span(responses).first(count),
-                               std::span(own).first(count * each)),
+        account(selector.respond(std::span(tried).subspan(first, count), std::span(responses).first(count),
+                                 std::span(own).first(count * each)),
                 seconds);
         for (std::size_t i = 0; i < count; ++i) {
             auto const& [row, wave] = places[first + i];
             close_row(spec, rows[row], *wave, responses[i]);
-            std::copy_n(own.begin() + (i * each), each, trials.own.begin() + (row * each));
+            std::copy_n(own.begin() + (i * each), each, trials.extra.begin() + (row * each));
         }
     }
-    judge_site(SiteJudge(spec.site, spec.bodies, ladder), plan, trials, first_row);
+    judge_site(SiteJudge(spec.site, spec.bodies, selector), plan, trials, first_row);
     return true;
 }
 

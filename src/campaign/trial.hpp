@@ -18,7 +18,7 @@ namespace overturn {
 /// Seconds spent per phase; for the reader, never for the results.
 struct PhaseSeconds {
     double waves = 0, measures = 0, response = 0, store = 0;
-    std::vector<RungCost> rungs = std::vector<RungCost>(overturn::rungs().size());  ///< in their order
+    std::vector<ModelCost> models = std::vector<ModelCost>(overturn::model_categories().size());  ///< in their order
 
     void add(PhaseSeconds const& more);
 };
@@ -48,11 +48,11 @@ struct PreparedWave {
                                   std::int64_t level, Observer* observer = nullptr);
 
 /// All trials of prepared waves, side by side, appended in order: each is bit-equal to run_trial's.
-/// \param goes_on asked now and then \return false if it said no: then `trials` is of no use
+/// \param keep_running asked now and then \return false if it said no: then `trials` is of no use
 /// \param known trials that are not computed again, or null
 bool append_trials(
     CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, TrialRows& trials,
-    PhaseSeconds& seconds, std::function<bool()> const& goes_on = [] { return true; },
+    PhaseSeconds& seconds, std::function<bool()> const& keep_running = [] { return true; },
     KnownTrials const* known = nullptr);
 
 /// How many waves' trials go side by side: enough to fill the vector lanes to the end, few enough waves to hold.

@@ -104,7 +104,7 @@ void add_first_wave(CampaignSpec const& spec, Lines& lines) {
         for (auto& line : implausible_wave(spec, wave.row, wave.motion)) {
             lines.push_back(std::move(line));
         }
-        auto const more = warnings_of_effects(spec, wave, Ladder(spec.effects, spec.accuracy));
+        auto const more = warnings_of_effects(spec, wave, ModelSelector(spec.effects, spec.accuracy));
         lines.insert(lines.end(), more.begin(), more.end());
     }  // else its trials will say why
 }
@@ -174,13 +174,14 @@ std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, Ground
     return lines;
 }
 
-std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedWave const& wave, Ladder const& ladder) {
+std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedWave const& wave,
+                                             ModelSelector const& selector) {
     Lines lines;
     auto const scale = spec.levels.scale(spec.levels.levels.back(), wave.row);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         auto const& body = spec.bodies[b];
         Scene const scene{wave.bodies[b].body, wave.bodies[b].friction, body.footing, body.axes};
-        auto const lost = scale ? ladder.left_out({scene, wave.motion, *scale}) : 0;
+        auto const lost = scale ? selector.left_out({scene, wave.motion, *scale}) : 0;
         if (lost != 0) {
             lines.push_back(
                 fmt::format("{} calls for {} beside effects with which no model holds it: trials leave it out (reason "

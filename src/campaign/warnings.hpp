@@ -6,7 +6,7 @@
 
 #include "campaign/campaign_spec.hpp"
 #include "campaign/trial.hpp"
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 
 namespace overturn {
 
@@ -19,7 +19,7 @@ namespace overturn {
 /// Effects that the bodies call for under this wave at the highest level and that no model holds together, and what
 /// stated effects leave out.
 [[nodiscard]] std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedWave const& wave,
-                                                           Ladder const& ladder);
+                                                           ModelSelector const& selector);
 
 /// What a body or its motion states and stated effects leave out: friction, base and pad, further components.
 [[nodiscard]] std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, GroundMotion const& motion,

@@ -118,7 +118,7 @@ double print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
         print_entry("accepted", text);
     }
     if (full) {
-        print_entry("models", output::rung_costs(cost.models));
+        print_entry("models", output::model_costs(cost.models));
     }
     return cost.counted_wave_s() * static_cast<double>(plan.asked());
 }

@@ -27,7 +27,7 @@ std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Pl
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         bytes += plan.waves() * width(measure_table(spec, b));
     }
-    for (auto const& table : own_tables(Ladder(spec.effects, spec.accuracy))) {
+    for (auto const& table : extra_tables(ModelSelector(spec.effects, spec.accuracy))) {
         bytes += plan.trials() * width(table);
     }
     for (auto const& [name, content] : input.files) {

@@ -108,18 +108,18 @@ Json spectra_of(CampaignInput const& input, CampaignSpec const& spec) {
 
 Json cost_lines(Json const& runtime, fs::path const& path) {
     auto lines = Json::array();
-    auto const& legs = runtime.at("legs");
+    auto const& segments = runtime.at(runtime.contains("segments") ? "segments" : "legs");  // as they were called once
     std::int64_t most_ranks = 0;
-    for (auto const& leg : legs) {
-        most_ranks = std::max(most_ranks, leg.at("ranks").get<std::int64_t>());
+    for (auto const& segment : segments) {
+        most_ranks = std::max(most_ranks, segment.at("ranks").get<std::int64_t>());
     }
-    lines.push_back(output::cost_text(runtime.at("wall_s").get<double>(), most_ranks, legs.size(),
+    lines.push_back(output::cost_text(runtime.at("wall_s").get<double>(), most_ranks, segments.size(),
                                       runtime.at("trials_per_s").get<double>(), path.filename().string()));
     std::vector<std::string> ranks;
     for (auto const& rank : runtime.at("ranks")) {
         ranks.push_back(rank.dump());
     }
-    lines.push_back(output::rung_costs(sum_of_rungs(ranks)));
+    lines.push_back(output::model_costs(sum_of_models(ranks)));
     return lines;
 }
 

@@ -18,7 +18,7 @@
 #include "core/error.hpp"
 #include "motion/drift.hpp"
 #include "report/figure.hpp"
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::cli {
@@ -55,9 +55,9 @@ nlohmann::ordered_json value_json(std::span<std::byte const> row, Field const& f
 }
 
 // Quantities that models share are those of the one that ran: the others know nothing of theirs.
-void add_own_json(nlohmann::ordered_json& json, Ladder const& ladder, std::span<std::byte const> own) {
+void add_own_json(nlohmann::ordered_json& json, ModelSelector const& selector, std::span<std::byte const> own) {
     static constexpr std::array matched{"restitution", "corner_share", "normal_restitution"};
-    for (auto const& [traits, offset] : ladder.own_parts()) {
+    for (auto const& [traits, offset] : selector.extra_parts()) {
         for (auto const& field : traits->fields) {
             auto& place =
                 std::ranges::count(matched, field.name) > 0 ? json["matched"][field.key()] : json[field.key()];
@@ -69,7 +69,7 @@ void add_own_json(nlohmann::ordered_json& json, Ladder const& ladder, std::span<
 }
 
 void print_json(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& response,
-                Ladder const& ladder, std::span<std::byte const> own) {
+                ModelSelector const& selector, std::span<std::byte const> own) {
     nlohmann::ordered_json json;
     for (auto const& field : fields_of<Response>()) {
         json[field.key()] = value_json(bytes_of(response), field);
@@ -83,7 +83,7 @@ void print_json(BodySpec const& spec, PlacedRecord const& record, Drift const& d
     json["record"] = record_json(record);
     json["residual_velocity_mps"] = drift.end_velocity_mps;
     json["residual_displacement_m"] = drift.end_displacement_m;
-    add_own_json(json, ladder, own);
+    add_own_json(json, selector, own);
     fmt::print("{}\n", json.dump(2));
 }
 
@@ -94,7 +94,7 @@ std::string_view summary_of_reason(std::int64_t number) {
 std::string time_text(double time_s) { return std::isnan(time_s) ? "never" : fmt::format("at {:.3f} s", time_s); }
 
 void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& r,
-                Ladder const& ladder, std::span<std::byte const> own, VelocityUnit const& unit) {
+                ModelSelector const& selector, std::span<std::byte const> own, VelocityUnit const& unit) {
     auto const& b = spec.body;
     fmt::print("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} m/s2, V_Ereq {}\n", spec.name,
                b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(), b.uplift_acceleration_mps2(),
@@ -126,8 +126,8 @@ void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& d
                r.min_contact_force_ratio);
     fmt::print("effects          {} (called for: {}); {}\n", names_of_effects(static_cast<EffectMask>(r.effects)),
                names_of_effects(static_cast<EffectMask>(r.called)), summary_of_reason(r.reason));
-    for (auto const& [traits, offset] : ladder.own_parts()) {
-        if (traits->number != r.rung) {
+    for (auto const& [traits, offset] : selector.extra_parts()) {
+        if (traits->number != r.model) {
             continue;
         }
         for (auto const& field : traits->fields) {
@@ -162,29 +162,29 @@ int rock(RockOptions const& options) {
                  "axes = 1",
                  options.body, key, dearer ? "the effects contact or spatial" : "a transverse component");
     }
-    Ladder const ladder(request);
-    auto const unable = ladder.impossible(scene);
+    ModelSelector const selector(request);
+    auto const unable = selector.impossible(scene);
     validate(unable == 0,
              "{}: effects {} (no model can simulate {} of this body{}). Leave it out, or state what it needs",
              options.body, options.effects, names_of_effects(unable),
              has(unable, Effect::sliding) ? ": it states no friction" : "");
     note_warnings(warnings_of_stated_effects(spec, motion, request));
-    std::vector<std::byte> own(ladder.own_bytes());
+    std::vector<std::byte> own(selector.extra_bytes());
     SceneTrial const trial{scene, motion, options.scale};
-    if (auto const lost = ladder.left_out(trial); lost != 0) {
+    if (auto const lost = selector.left_out(trial); lost != 0) {
         note_warnings({fmt::format("{} calls for {} beside effects with which no model holds it: it is left out",
                                    spec.name, names_of_effects(lost))});
     }
     std::optional<HistoryFile> history;
-    auto response = ladder.respond(trial, own);
+    auto response = selector.respond(trial, own);
     response.verdict = MovementSpec{}.verdict(response, spec.body, spec.friction.has_value(), spec.footing.pad);
     if (!options.history.empty()) {
         history.emplace(options.history);
-        ladder.show(trial, response, *history);
+        selector.show(trial, response, *history);
     }
     if (!options.plot.empty()) {
         KeptHistory kept;
-        ladder.show(trial, response, kept);
+        selector.show(trial, response, kept);
         auto const title = fmt::format(
             "{} under {}{}: {}", spec.name, std::filesystem::path(options.record.wave).filename().string(),
             options.scale == 1 ? "" : fmt::format(" times {:g}", options.scale), entry_of(response.verdict).name);
@@ -192,9 +192,9 @@ int rock(RockOptions const& options) {
         draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual}, options.unit, options.plot);
     }
     if (options.json) {
-        print_json(spec, record, drift_of(motion), response, ladder, own);
+        print_json(spec, record, drift_of(motion), response, selector, own);
     } else {
-        print_text(spec, record, drift_of(motion), response, ladder, own, options.unit);
+        print_text(spec, record, drift_of(motion), response, selector, own, options.unit);
     }
     if (response.verdict == Verdict::failed) {
         throw SystemError(fmt::format("no verdict ({}). Check unit and scale", entry_of(response.failure).summary));

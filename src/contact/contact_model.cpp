@@ -61,7 +61,7 @@ class ContactModel : public Model {
         return !body.needs_planar_rocking() && (trial.footing->stated || holds) ? mask_of(Effect::contact) : 0;
     }
 
-    [[nodiscard]] Call called_for(Trial const& trial, Outcome const* said) const override {
+    [[nodiscard]] Requirement required_of(Trial const& trial, Outcome const* said) const override {
         // With friction its points slip one by one, under far less shaking than slides a rigid base.
         auto const contact = mask_of(Effect::contact) | (trial.friction ? mask_of(Effect::sliding) : 0);
         constexpr double wild = 0.3;  // of alpha
@@ -82,7 +82,7 @@ class ContactModel : public Model {
         if (footing.stated && said->peak_rotation_ratio >= wild) {
             return {contact, of_tilt};
         }
-        return crushes(trial, *said) ? Call{contact, of_strength} : Call{};
+        return crushes(trial, *said) ? Requirement{contact, of_strength} : Requirement{};
     }
 
     [[nodiscard]] std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
@@ -103,10 +103,10 @@ class ContactModel : public Model {
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             batch.outcomes[i] = outcomes[i];
             batch.outcomes[i].called = mask_of(Effect::contact);
-            if (!batch.own.empty()) {
-                fill_match(matched[i].match, outcomes[i].own);
+            if (!batch.extra.empty()) {
+                fill_match(matched[i].match, outcomes[i].extra);
                 constexpr std::size_t row = sizeof(ContactQuantities);
-                std::memcpy(batch.own.subspan(i * row, row).data(), &outcomes[i].own, row);
+                std::memcpy(batch.extra.subspan(i * row, row).data(), &outcomes[i].extra, row);
             }
         }
         return nullptr;
@@ -165,7 +165,7 @@ ModelTraits const& contact_traits() {
         .reasons = reasons,
         .channels = channels,
         .fields = fields_of<ContactQuantities>(),
-        .nothing = nothing_of<ContactQuantities>()};
+        .default_row = default_row_of<ContactQuantities>()};
     return traits;
 }
 

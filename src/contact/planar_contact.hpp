@@ -33,7 +33,7 @@ template <> [[nodiscard]] Fields const& fields_of<ContactQuantities>();
 /// g / (w_v b). contact_lost_s: the first flight. Slip is of the corner that the body leans on. peak_rotation_ratio and
 /// response velocity: of the geometry of the points' corners.
 struct ContactOutcome : Outcome {
-    ContactQuantities own;
+    ContactQuantities extra;
     double crest_rad = 0, trough_rad = 0;  ///< largest and smallest theta
     double end_sway_mps = 0;               ///< x' when it ended
 };

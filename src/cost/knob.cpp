@@ -116,8 +116,8 @@ Scenes scenes_of(CampaignSpec const& spec) {
 
 Knob effects_knob(CampaignSpec const& spec, Scenes const& scenes) {
     Knob knob{"effects",
-              scenes.yields() && scenes.alike() ? "effects, rung by rung, against all that can be simulated"
-                                                : "effects, rung by rung",
+              scenes.yields() && scenes.alike() ? "effects, model by model, against all that can be simulated"
+                                                : "effects, model by model",
               peak_error,
               "trial",
               Acts::trials,

@@ -22,7 +22,7 @@ struct Setting {
 
 struct Knob {
     std::string name;   ///< "effects": its group in files
-    std::string title;  ///< "effects, rung by rung"
+    std::string title;  ///< "effects, model by model"
     std::string error;  ///< what its error means
     std::string timed;  ///< what its time is for: "trial"
     Acts acts = Acts::trials;

@@ -13,8 +13,8 @@
 namespace overturn::cost {
 
 PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves) {
-    Ladder const ladder(spec.effects, spec.accuracy);
-    LimitJudge const judge(spec.limits, ladder);
+    ModelSelector const selector(spec.effects, spec.accuracy);
+    LimitJudge const judge(spec.limits, selector);
     for (auto const& level : spec.levels.levels) {
         levels_[level.value].assign(spec.bodies.size(), Stripe(waves.size()));
         if (level.purpose == LevelClass::design_basis) {
@@ -24,7 +24,7 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
     std::ranges::transform(waves, std::back_inserter(groups_),
                            [&](PreparedWave const& wave) { return wave.number / spec.source->about().waves_alike; });
     std::size_t const together = waves_together(plan);
-    auto const each = ladder.own_bytes();
+    auto const each = selector.extra_bytes();
     std::size_t const per_wave = plan.trials_per_wave();
     PhaseSeconds ignored;
     for (std::size_t first = 0; first < waves.size(); first += together) {
@@ -32,7 +32,7 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
         append_trials(spec, plan, waves.subspan(first, std::min(together, waves.size() - first)), trials, ignored);
         for (std::size_t t = 0; t < trials.rows.size(); ++t) {
             auto const& row = trials.rows[t];
-            auto const own = std::span<std::byte const>(trials.own).subspan(t * each, each);
+            auto const own = std::span<std::byte const>(trials.extra).subspan(t * each, each);
             levels_.at(row.amplitude)[row.body][first + t / per_wave] = judge.judge(row, own);
         }
     }

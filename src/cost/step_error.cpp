@@ -30,12 +30,12 @@ std::vector<std::string> half_steps(Accuracy const& accuracy) {
 /// Reads a quantity off trials, whichever model answered them.
 class Reader {
   public:
-    Reader(CampaignSpec const& spec, LimitQuantity const& quantity) : ladder_(spec.effects, spec.accuracy) {
+    Reader(CampaignSpec const& spec, LimitQuantity const& quantity) : selector_(spec.effects, spec.accuracy) {
         if (quantity.of_every_model) {
             column_ = &field_named(fields_of<TrialRow>(), quantity.name);
             return;
         }
-        for (auto const& [traits, offset] : ladder_.own_parts()) {
+        for (auto const& [traits, offset] : selector_.extra_parts()) {
             auto const found = std::ranges::find(traits->fields, quantity.name, &Field::name);
             if (found != traits->fields.end()) {
                 own_.emplace_back(traits->number, *found);
@@ -50,11 +50,11 @@ class Reader {
             return number_at(bytes_of(row), *column_);
         }
         auto const found =
-            std::ranges::find(own_, row.rung, [](auto const& model_and_field) { return model_and_field.first; });
-        auto const each = ladder_.own_bytes();
-        return found == own_.end() || trials.own.empty()
+            std::ranges::find(own_, row.model, [](auto const& model_and_field) { return model_and_field.first; });
+        auto const each = selector_.extra_bytes();
+        return found == own_.end() || trials.extra.empty()
                    ? not_known
-                   : number_at(std::span(trials.own).subspan(i * each, each), found->second);
+                   : number_at(std::span(trials.extra).subspan(i * each, each), found->second);
     }
 
   private:
@@ -62,7 +62,7 @@ class Reader {
         return field.type == FieldType::real ? real_at(row, field) : static_cast<double>(integer_at(row, field));
     }
 
-    Ladder ladder_;
+    ModelSelector selector_;
     Field const* column_ = nullptr;
     std::vector<std::pair<std::int64_t, Field>> own_;
 };

@@ -12,7 +12,7 @@ EffectMask ModelTraits::brings() const {
 
 EffectMask Model::possible(Trial const& /*trial*/) const { return traits().brings(); }
 
-Call Model::called_for(Trial const& /*trial*/, Outcome const* said) const {
+Requirement Model::required_of(Trial const& /*trial*/, Outcome const* said) const {
     return {said == nullptr ? 0 : traits().brings() & static_cast<EffectMask>(said->called)};
 }
 

@@ -1,5 +1,5 @@
 /// A model of what a body does under a motion. Models know nothing of each other; which of them a trial needs is
-/// decided by the effects that they hold (response/ladder.hpp).
+/// decided by the effects that they hold (response/model_selector.hpp).
 #pragma once
 
 #include <cstddef>
@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/field.hpp"
-#include "model/call.hpp"
 #include "model/effect.hpp"
 #include "model/history.hpp"
 #include "model/outcome.hpp"
+#include "model/requirement.hpp"
 #include "model/trial.hpp"
 
 namespace overturn {
@@ -29,13 +29,13 @@ struct ModelTraits {
     std::span<ReasonEntry const> reasons = {};    ///< why it may be called for
     std::span<Channel const> channels = {};       ///< of its histories
     Fields fields = {};                           ///< its own quantities, stored in a group of its name
-    std::vector<std::byte> nothing = {};          ///< a row of these for a trial that the model did not run
+    std::vector<std::byte> default_row = {};      ///< a row of these for a trial that the model did not run
 
     [[nodiscard]] EffectMask brings() const;
 };
 
 /// The bytes of a default row.
-template <class Row> [[nodiscard]] std::vector<std::byte> nothing_of() {
+template <class Row> [[nodiscard]] std::vector<std::byte> default_row_of() {
     Row const row{};
     auto const bytes = bytes_of(row);
     return {bytes.begin(), bytes.end()};
@@ -57,7 +57,7 @@ struct Batch {
     std::span<Trial const> trials;
     std::span<Outcome> outcomes;  ///< one per trial; on entry the outcome of the model before, if any
     /// Rows of the model's own fields, one per trial, contiguous; empty if not requested.
-    std::span<std::byte> own = {};
+    std::span<std::byte> extra = {};
     Checkpoints const* before = nullptr;       ///< of the model that ran before
     std::span<std::size_t const> places = {};  ///< of these trials in that model's batch
     Observer* observer = nullptr;              ///< of a batch of one, which is then run from its start
@@ -77,7 +77,7 @@ class Model {
     [[nodiscard]] virtual EffectMask possible(Trial const& trial) const;
     /// Of the effects that this model brings, those that would act on a trial. \param said what a cheaper model that
     /// ran says of it; null: none ran yet. Default: what that model itself calls for.
-    [[nodiscard]] virtual Call called_for(Trial const& trial, Outcome const* said) const;
+    [[nodiscard]] virtual Requirement required_of(Trial const& trial, Outcome const* said) const;
     /// Fills the batch's outcomes. Where the trials' order or company changes, no bit does.
     [[nodiscard]] virtual std::unique_ptr<Checkpoints> run(Batch const& batch) const = 0;
 };

@@ -20,7 +20,7 @@ struct Trial {
     EffectMask simulated = 0;
     /// Effects that another model will take over: a model that leaves one out may end where it begins to act, and says
     /// so in Outcome::called.
-    EffectMask taken_over = 0;
+    EffectMask handled_later = 0;
 };
 
 /// What a planar model simulates of the excitation: no transverse component, the vertical one if it is among

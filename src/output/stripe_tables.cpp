@@ -128,9 +128,9 @@ Table stripe_table(std::span<Stripe const> stripes, double confidence) {
 Table model_table(BodyStatistics const& body) {
     std::vector<std::size_t> rows;
     std::vector<std::string> names;
-    for (std::size_t m = 0; m < rungs().size(); ++m) {
+    for (std::size_t m = 0; m < model_categories().size(); ++m) {
         rows.push_back(m);
-        names.push_back(rungs()[m].name);
+        names.push_back(model_categories()[m].name);
     }
     TableOf<std::size_t> table({.name = "models",
                                 .group = group_of("models", body.body, overturning_limit),
@@ -138,7 +138,7 @@ Table model_table(BodyStatistics const& body) {
                                 .constants = {{"body", body.body}}},
                                rows);
     table.category("model", "the model that answered", names, [&names](std::size_t m) { return names[m]; })
-        .add("trials", "1", "trials that it answered", [&body](std::size_t m) { return body.rungs[m]; });
+        .add("trials", "1", "trials that it answered", [&body](std::size_t m) { return body.models[m]; });
     return table.take();
 }
 

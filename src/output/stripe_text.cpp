@@ -90,9 +90,9 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
         text += purpose == LevelClass::ordinary ? "\n" : fmt::format(" {}\n", name_of(purpose));
     }
     text += left_out_levels(spec.levels);
-    text += "rungs:";
-    for (std::size_t r = 0; r < s.rungs.size(); ++r) {
-        text += fmt::format("{} {} {}", r == 0 ? "" : ",", s.rungs[r], rungs()[r].name);
+    text += "models:";
+    for (std::size_t r = 0; r < s.models.size(); ++r) {
+        text += fmt::format("{} {} {}", r == 0 ? "" : ",", s.models[r], model_categories()[r].name);
     }
     text += '\n';
     text += left_out(spec, body, s);
@@ -150,13 +150,13 @@ std::string cut_short_text(BodyStatistics const& counted) {
                    fell + peaked, fell, peaked);
 }
 
-std::string rung_costs(PhaseSeconds const& seconds) {
+std::string model_costs(PhaseSeconds const& seconds) {
     std::string text;
-    for (std::size_t r = 0; r < seconds.rungs.size(); ++r) {
-        auto const& rung = seconds.rungs[r];
-        if (rung.trials > 0) {
-            text += fmt::format("{}{} {} trials, {:.1f} us each", text.empty() ? "" : "; ", rungs()[r].name,
-                                rung.trials, 1e6 * rung.seconds / static_cast<double>(rung.trials));
+    for (std::size_t r = 0; r < seconds.models.size(); ++r) {
+        auto const& model = seconds.models[r];
+        if (model.trials > 0) {
+            text += fmt::format("{}{} {} trials, {:.1f} us each", text.empty() ? "" : "; ", model_categories()[r].name,
+                                model.trials, 1e6 * model.seconds / static_cast<double>(model.trials));
         }
     }
     return text;

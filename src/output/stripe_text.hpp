@@ -24,6 +24,6 @@ namespace overturn::output {
 [[nodiscard]] std::string cut_short_text(BodyStatistics const& counted);
 
 /// "at-rest 512 trials, 0.1 us each; ..." of what was measured.
-[[nodiscard]] std::string rung_costs(PhaseSeconds const& seconds);
+[[nodiscard]] std::string model_costs(PhaseSeconds const& seconds);
 
 }  // namespace overturn::output

@@ -77,7 +77,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
     }
     auto const trials = file.table(trial_table(spec), chosen.trials());
     std::vector<std::size_t> own;
-    for (auto& table : own_tables(Ladder(spec.effects, spec.accuracy))) {
+    for (auto& table : extra_tables(ModelSelector(spec.effects, spec.accuracy))) {
         own.push_back(file.table(std::move(table), chosen.trials()));
     }
     std::vector<WaveRow> refused;
@@ -91,7 +91,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
         }
         file.append(trials, std::as_bytes(std::span(rows.trials.rows)));
         for (auto const table : own) {
-            file.append(table, rows.trials.own);
+            file.append(table, rows.trials.extra);
         }
         statistics.add(rows);
     }

@@ -41,8 +41,8 @@ class Choice {
         auto left = look();
         if (problem_.frame() && !left.empty()) {
             left = mixture(left);
-            // Where not even the ladder held, no other pulses will; a factor alone had its own already.
-            bool const another = ladder_held();
+            // Where not even the pilot runs held, no other pulses will; a factor alone had its own already.
+            bool const another = pilots_held();
             Places still;
             for (auto const f : left) {
                 auto const untrusted = another ? mixture({f}) : Places{f};
@@ -102,7 +102,7 @@ class Choice {
         return request;
     }
 
-    [[nodiscard]] bool ladder_held() const {
+    [[nodiscard]] bool pilots_held() const {
         return std::any_of(made_.begin(), made_.end(), [](Estimate const& made) {
             return made.method == Method::pulse_mixture && made.state == State::trusted;
         });

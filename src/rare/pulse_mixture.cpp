@@ -8,14 +8,14 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "rare/detail/pulse_ladder.hpp"
+#include "rare/detail/pulse_descent.hpp"
 #include "rare/detail/scout.hpp"
 
 namespace overturn::rare {
 namespace {
 
 constexpr double least_hits_fitted = 0.15;
-constexpr double least_hits_on_ladder = 0.1;
+constexpr double least_hits_of_pilots = 0.1;
 constexpr double largest_share = 0.15;
 constexpr double largest_scatter = 2;
 constexpr double largest_deviation = 4;   // of the mean weight, in standard errors
@@ -77,10 +77,10 @@ double weight_deviation(std::vector<std::vector<MixtureStage>> const& stages) {
 
 class Judge {
   public:
-    Judge(PulseLadder const& ladder, std::size_t fitted) : ladder_(ladder), fitted_(fitted) {}
+    Judge(PulseDescent const& descent, std::size_t fitted) : descent_(descent), fitted_(fitted) {}
 
     [[nodiscard]] Estimate estimate(double factor, std::size_t f, Count const* crude) const {
-        auto const& stages = ladder_.stages();
+        auto const& stages = descent_.stages();
         auto const n = static_cast<double>(stages.front().back().rows.size());
         auto const replicates = static_cast<double>(stages.size());
         Estimate made;
@@ -108,7 +108,7 @@ class Judge {
         auto const at_least = [&](std::string name, double value, double limit) {
             made.health.push_back({std::move(name), value, limit, value >= limit});
         };
-        at_least("hits on the ladder", ladder_.poorest_hits(), least_hits_on_ladder);
+        at_least("hits in the pilot runs", descent_.poorest_hits(), least_hits_of_pilots);
         at_least("hits at the fitted factor", hits_at(fitted_), least_hits_fitted);
         at_most("largest weight's share", share, largest_share);
         at_most("scatter of replicates over their own", within > 0 ? mean.standard_error / std::sqrt(within) : 0,
@@ -133,7 +133,7 @@ class Judge {
     [[nodiscard]] double hits_at(std::size_t f) const {
         double hits = 0;
         double n = 0;
-        for (auto const& replicate : ladder_.stages()) {
+        for (auto const& replicate : descent_.stages()) {
             hits += static_cast<double>(sums_of(replicate.back().rows, f).hits);
             n += static_cast<double>(replicate.back().rows.size());
         }
@@ -141,7 +141,7 @@ class Judge {
     }
 
     [[nodiscard]] Estimate conclude(Estimate made, double mean, Count const& plain, std::int64_t hits) const {
-        made.runs = ladder_.runs();
+        made.runs = descent_.runs();
         if (hits < fewest_failures) {
             distrust(made, State::not_resolved, fmt::format("{} draws failed", hits), plain);
         } else if (auto const words = words_of(made.health); !words.empty()) {
@@ -154,19 +154,19 @@ class Judge {
         return made;
     }
 
-    PulseLadder const& ladder_;
+    PulseDescent const& descent_;
     std::size_t fitted_;  ///< place of the fitted factor
 };
 
 std::vector<Estimate> none(std::span<double const> factors, std::span<Count const> crude, Scouted const& scouted,
-                           PulseLadder const& ladder, Request const& request) {
+                           PulseDescent const& descent, Request const& request) {
     std::vector<Estimate> estimates;
     for (std::size_t f = 0; f < factors.size(); ++f) {
         Estimate made;
         made.factor = factors[f];
         made.method = Method::pulse_mixture;
-        made.runs = scouted.runs + ladder.runs();
-        bool const broken = scouted.found && ladder.broken();
+        made.runs = scouted.runs + descent.runs();
+        bool const broken = scouted.found && descent.broken();
         distrust(made, broken ? State::not_trusted : State::not_resolved,
                  broken          ? "draws of the mixture hardly ever fail (waves are not linear in their normals, or "
                                    "failures have nothing in common)"
@@ -196,23 +196,23 @@ PulseResult estimate_pulse_mixture(Problem const& problem, std::span<double cons
                                    PulseOptions const& options) {
     OVERTURN_EXPECT(problem.frame().has_value() && factors.size() < most_factors && request.replicates >= 2);
     OVERTURN_EXPECT(crude.empty() || crude.size() == factors.size());
-    PulseLadder ladder(problem, request, workers, options);
+    PulseDescent descent(problem, request, workers, options);
     auto const scouted = options.fit.pulses == 0 ? Scouted{.factor = fitted_factor, .found = true}
                                                  : scout(problem, fitted_factor, request, workers);
     if (scouted.found) {
-        ladder.descend(scouted.factor, fitted_factor);
+        descent.descend(scouted.factor, fitted_factor);
     }
-    auto const final_runs = std::min(options.final_runs, (request.max_runs - ladder.runs()) / request.replicates);
-    if (!scouted.found || ladder.broken() || ladder.spent()
+    auto const final_runs = std::min(options.final_runs, (request.max_runs - descent.runs()) / request.replicates);
+    if (!scouted.found || descent.broken() || descent.spent()
         || final_runs < std::min(options.final_runs, options.pilot_runs)) {
-        auto estimates = none(factors, crude, scouted, ladder, request);
-        return {std::move(estimates), std::move(ladder.stages())};
+        auto estimates = none(factors, crude, scouted, descent, request);
+        return {std::move(estimates), std::move(descent.stages())};
     }
     // The fitted factor is looked at too, whether it is asked for or not.
     std::vector<double> looked_at(factors.begin(), factors.end());
     looked_at.push_back(fitted_factor);
-    ladder.finish(looked_at, final_runs);
-    Judge const judge(ladder, factors.size());
+    descent.finish(looked_at, final_runs);
+    Judge const judge(descent, factors.size());
     PulseResult result;
     for (std::int64_t round = 0;; ++round) {
         result.estimates.clear();
@@ -220,17 +220,17 @@ PulseResult estimate_pulse_mixture(Problem const& problem, std::span<double cons
             result.estimates.push_back(judge.estimate(factors[f], f, crude.empty() ? nullptr : &crude[f]));
             result.estimates.back().runs += scouted.runs;
         }
-        std::int64_t const done = ladder.stages().front().back().rows.size();
+        std::int64_t const done = descent.stages().front().back().rows.size();
         auto const more = std::min(
             {static_cast<std::int64_t>(static_cast<double>(done)
                                        * (std::min(growth_wanted(result.estimates, request.target_cov), 2.0) - 1)),
-             (request.max_runs - ladder.runs()) / request.replicates});
+             (request.max_runs - descent.runs()) / request.replicates});
         if (round + 1 >= options.most_rounds || more <= 0) {
             break;
         }
-        ladder.finish(looked_at, more);
+        descent.finish(looked_at, more);
     }
-    result.stages = std::move(ladder.stages());
+    result.stages = std::move(descent.stages());
     return result;
 }
 

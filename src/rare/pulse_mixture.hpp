@@ -15,7 +15,7 @@ struct PulseOptions {
     std::int64_t pilot_runs = 2000;  ///< of a stage and replicate; 1000 is the floor
     std::int64_t final_runs = 4000;  ///< of a replicate, at first
     std::int64_t most_rounds = 3;    ///< of final runs, each up to as many as all before it, until the c.o.v. is met
-    double descent = 0.87;           ///< from one factor of the ladder to the next
+    double descent = 0.87;           ///< from one pilot stage to the next
     std::int64_t refits = 2;         ///< at the fitted factor, failures pooled
     FitOptions fit{};                ///< without pulses: crude Monte Carlo, bit for bit
 };

@@ -68,7 +68,7 @@ std::vector<Category> verdict_categories() {
     return categories;
 }
 
-std::span<Category const> rungs() {
+std::span<Category const> model_categories() {
     static auto const categories = [] {
         std::vector<Category> all{{0, "at-rest"}};
         for (auto const& model : models()) {
@@ -102,9 +102,9 @@ std::vector<Category> reason_categories() {
     return categories;
 }
 
-std::size_t rung_place(std::int64_t rung) {
-    auto const all = rungs();
-    auto const found = std::ranges::find(all, rung, &Category::value);
+std::size_t model_place(std::int64_t model) {
+    auto const all = model_categories();
+    auto const found = std::ranges::find(all, model, &Category::value);
     OVERTURN_EXPECT(found != all.end());
     return static_cast<std::size_t>(found - all.begin());
 }

@@ -33,12 +33,12 @@ struct ModelEntry {
 [[nodiscard]] std::vector<Category> verdict_categories();
 
 /// What simulated a trial: "at-rest", where the cheapest model had nothing to follow, else the model's name.
-[[nodiscard]] std::span<Category const> rungs();
+[[nodiscard]] std::span<Category const> model_categories();
 /// Why a trial may need a model: none, if the cheapest one does; stated, if the campaign says so; else the models' own.
 [[nodiscard]] std::span<ReasonEntry const> reasons();
 [[nodiscard]] std::vector<Category> reason_categories();
 
-/// Place of a stored rung in rungs().
-[[nodiscard]] std::size_t rung_place(std::int64_t rung);
+/// Place of a stored model in model_categories().
+[[nodiscard]] std::size_t model_place(std::int64_t model);
 
 }  // namespace overturn

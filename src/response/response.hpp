@@ -8,7 +8,7 @@ namespace overturn {
 
 struct Response : Outcome {
     std::int64_t effects = 0;  ///< EffectMask of those that ran
-    std::int64_t rung = 0;     ///< one of rungs()
+    std::int64_t model = 0;    ///< one of model_categories()
     std::int64_t reason = 0;   ///< one of reasons(): why that model
 };
 

@@ -1,4 +1,4 @@
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 
 namespace overturn {
 

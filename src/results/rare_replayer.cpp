@@ -80,7 +80,7 @@ rare::Mixture RareReplayer::mixture_of(RareRow const& row) const {
 
 RareRow RareReplayer::again_from_mixture(RareRow row) const {
     auto key = key_of(row);
-    // A pilot's draws are named by its rung, the final ones by none.
+    // A pilot's draws are named by its stage, the final ones by none.
     key.level = key.phase == rare::Phase::pilot ? static_cast<std::uint64_t>(row.stage) : 0;
     key.index = row.index;
     auto const mixture = mixture_of(row);

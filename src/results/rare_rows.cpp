@@ -79,7 +79,7 @@ template <> Fields const& fields_of<RareRow>() {
         field<&R::problem>("problem", "1", "which random numbers: number of the limit state"),
         field<&R::replicate>("replicate", "1", "independent repetition"),
         field<&R::phase>("phase", "1", "which random numbers: 3 pilot, 4 final, 5 subset"),
-        field<&R::stage>("stage", "1", "rung of the ladder, or level of the subset simulation"),
+        field<&R::stage>("stage", "1", "stage of the pilot runs, or level of the subset simulation"),
         field<&R::step>("step", "1", "of a Markov chain within the level"),
         field<&R::index>("index", "1", "of the trial within its stage, or of the chain"),
         field<&R::parent>("parent", "1", "row of this table from which a chain moved here; -1: drawn afresh"),

@@ -76,8 +76,8 @@ void each_row(store::ResultsReader const& file, store::TableSpec const& table, s
 // nobody asks.
 class OwnRecords {
   public:
-    OwnRecords(store::ResultsReader const& file, Ladder const& ladder, std::int64_t length)
-        : file_(file), tables_(own_tables(ladder)), each_(ladder.own_bytes()), length_(length) {}
+    OwnRecords(store::ResultsReader const& file, ModelSelector const& selector, std::int64_t length)
+        : file_(file), tables_(extra_tables(selector)), each_(selector.extra_bytes()), length_(length) {}
 
     [[nodiscard]] std::span<std::byte const> next() {
         if (length_ == 0 || each_ == 0) {
@@ -115,18 +115,18 @@ std::vector<std::int64_t> stored_counts(store::ResultsReader const& file, std::s
     return values;
 }
 
-// Trials per model, in the order of rungs(); those of models that this program does not know are left out.
+// Trials per model, in the order of model_categories(); those of models that this program does not know are left out.
 std::vector<std::int64_t> stored_models(store::ResultsReader const& file, std::string const& body) {
-    std::vector<std::int64_t> trials(rungs().size());
+    std::vector<std::int64_t> trials(model_categories().size());
     bool const now = file.has("models/" + body);  // up to format 4 beside the stripes
     auto const names = now ? fmt::format("models/{}/model", body) : fmt::format("stripes/{}/rung", body);
     auto const counts = now ? fmt::format("models/{}/trials", body) : fmt::format("stripes/{}/rung_trials", body);
-    auto const numbers = file.named(names, rungs());
+    auto const numbers = file.named(names, model_categories());
     auto const stored = file.integers(counts);
     require(numbers.size() == stored.size(), fmt::format("{} and {} differ in length", names, counts));
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (numbers[i] != unknown_category) {
-            trials[rung_place(numbers[i])] += stored[i];
+            trials[model_place(numbers[i])] += stored[i];
         }
     }
     return trials;
@@ -143,7 +143,7 @@ bool same_counts(store::ResultsReader const& file, std::string const& place, std
 void require_stored(store::ResultsReader const& file, BodyStatistics const& counted) {
     auto const group = group_of("stripes", counted.body, overturning_limit);
     auto const levels = counted.stripes.size();
-    bool same = stored_models(file, counted.body) == counted.rungs
+    bool same = stored_models(file, counted.body) == counted.models
                 && same_counts(file, group + "/trials", counted.stripes, &Stripe::trials);
     auto const in_file = verdicts_in(file);
     for (std::size_t v = 0; v < verdicts().size(); ++v) {
@@ -211,8 +211,8 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         each_row<WaveRow>(file, refused, rows, [&](WaveRow const& row) { statistics.add_refused(row); });
     }
     std::int64_t const levels = spec.levels.levels.size();
-    Ladder const ladder(spec.effects, spec.accuracy);
-    OwnRecords own(file, ladder, statistics.reads_own() ? done * plan.trials_per_wave() : 0);
+    ModelSelector const selector(spec.effects, spec.accuracy);
+    OwnRecords own(file, selector, statistics.reads_extra() ? done * plan.trials_per_wave() : 0);
     each_row<TrialRow>(file, stored_trial_table(file, spec), done * plan.trials_per_wave(), [&](TrialRow const& row) {
         require(row.level >= 0 && row.level < levels,
                 fmt::format("trials/level holds {}, which names nothing", row.level));
@@ -232,9 +232,9 @@ TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec,
 std::vector<std::string> differing_columns(store::ResultsReader const& file, CampaignSpec const& spec,
                                            TrialRows const& a, TrialRows const& b) {
     auto names = differing(held_in(file, trial_table(spec)).columns, bytes_of(a.rows.at(0)), bytes_of(b.rows.at(0)));
-    for (auto const& table : own_tables(Ladder(spec.effects, spec.accuracy))) {
+    for (auto const& table : extra_tables(ModelSelector(spec.effects, spec.accuracy))) {
         auto const model = table.group.substr(table.group.rfind('/') + 1);
-        for (auto const& name : differing(held_in(file, table).columns, a.own, b.own)) {
+        for (auto const& name : differing(held_in(file, table).columns, a.extra, b.extra)) {
             names.push_back(fmt::format("{}/{}", model, name));
         }
     }

@@ -170,10 +170,10 @@ store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body) {
     return table;
 }
 
-std::vector<store::TableSpec> own_tables(Ladder const& ladder) {
+std::vector<store::TableSpec> extra_tables(ModelSelector const& selector) {
     std::vector<store::TableSpec> tables;
-    for (auto const& [traits, offset] : ladder.own_parts()) {
-        store::TableSpec table{"trials/" + std::string(traits->name), ladder.own_bytes(), traits->fields,
+    for (auto const& [traits, offset] : selector.extra_parts()) {
+        store::TableSpec table{"trials/" + std::string(traits->name), selector.extra_bytes(), traits->fields,
                                "trials/trial"};
         for (auto& column : table.columns) {
             column.offset += offset;

@@ -25,6 +25,6 @@ namespace overturn {
 /// The column of /stripes/<body> that counts a verdict, "contact-lost": "contact_lost".
 [[nodiscard]] std::string column_of(std::string_view verdict);
 /// /trials/<model>: what models that may run here have to say beyond a row of /trials, as columns of a trial's record.
-[[nodiscard]] std::vector<store::TableSpec> own_tables(Ladder const& ladder);
+[[nodiscard]] std::vector<store::TableSpec> extra_tables(ModelSelector const& selector);
 
 }  // namespace overturn

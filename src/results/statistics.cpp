@@ -21,7 +21,7 @@ void count(LimitStatistics& limit, std::size_t level, VerdictEntry const& end, b
 }  // namespace
 
 Statistics::Statistics(CampaignSpec const& spec)
-    : judge_(spec.limits, Ladder(spec.effects, spec.accuracy)),
+    : judge_(spec.limits, ModelSelector(spec.effects, spec.accuracy)),
       sigma_(spec),
       measured_(held_measures(spec), spec.source->about().waves_alike) {
     for (auto const& body : spec.bodies) {
@@ -39,7 +39,7 @@ Statistics::Statistics(CampaignSpec const& spec)
         statistics.left_out.resize(effects().size());
         statistics.fell_after_record.resize(levels);
         statistics.peaked_after_record.resize(levels);
-        statistics.rungs.resize(rungs().size());
+        statistics.models.resize(model_categories().size());
         auto const periods = spec.grid_periods_s();
         for (std::size_t w = 0; w < periods.size(); ++w) {
             statistics.grid.emplace_back(static_cast<std::int64_t>(w), periods[w], levels, spec.limits.size());
@@ -73,9 +73,9 @@ void Statistics::add(BlockRows const& block) {
         add(block.waves[w], std::span(block.measures).subspan(w * each, each));
     }
     auto const& rows = block.trials.rows;
-    auto const own = rows.empty() ? 0 : block.trials.own.size() / rows.size();
+    auto const own = rows.empty() ? 0 : block.trials.extra.size() / rows.size();
     for (std::size_t t = 0; t < rows.size(); ++t) {
-        add(rows[t], std::span(block.trials.own).subspan(t * own, own));
+        add(rows[t], std::span(block.trials.extra).subspan(t * own, own));
     }
 }
 
@@ -104,8 +104,8 @@ void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
     if (row.verdict == Verdict::failed) {
         ++stripe.failed;
     } else {
-        if (row.rung != unknown_category) {  // else of a model that another program has
-            ++body.rungs[rung_place(row.rung)];
+        if (row.model != unknown_category) {  // else of a model that another program has
+            ++body.models[model_place(row.model)];
         }
         stripe.undecided += end.decided ? 0 : 1;
     }

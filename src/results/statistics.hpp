@@ -38,8 +38,8 @@ struct BodyStatistics {
     /// Trials per level that still rocked when the record ended: they fell, or rose to their peak, only after it. Those
     /// that rocked on below an earlier peak are not known from rows.
     std::vector<std::int64_t> fell_after_record, peaked_after_record;
-    std::vector<std::int64_t> rungs;  ///< trials per rung, in the order of rungs()
-    std::vector<GridLine> grid;       ///< one per wave where waves are points of a grid; else none
+    std::vector<std::int64_t> models;  ///< trials per model, in the order of model_categories()
+    std::vector<GridLine> grid;        ///< one per wave where waves are points of a grid; else none
 
     /// \param limit place of the limit state; 0: overturning
     [[nodiscard]] std::vector<Stripe> const& stripes_of(std::size_t limit) const {
@@ -78,7 +78,7 @@ class Statistics {
     /// How much the waves differ, where targets are drawn.
     [[nodiscard]] std::optional<AchievedSigma> achieved_sigma() const { return sigma_.achieved(waves_.missed); }
     /// Do limit states hang on what models have to say of their own?
-    [[nodiscard]] bool reads_own() const { return judge_.reads_own(); }
+    [[nodiscard]] bool reads_extra() const { return judge_.reads_extra(); }
     /// Those trials whose waves were added too.
     [[nodiscard]] MeasuredTrials const& measured() const { return measured_; }
 

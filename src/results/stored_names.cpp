@@ -60,7 +60,7 @@ std::vector<UnknownModel> unknown_models(store::ResultsReader const& file) {
     constexpr char const* column = "trials/rung";
     std::vector<UnknownModel> unknown;
     for (auto const& stored : file.categories(column)) {
-        if (std::ranges::find(rungs(), stored.name, &Category::name) != rungs().end()) {
+        if (std::ranges::find(model_categories(), stored.name, &Category::name) != model_categories().end()) {
             continue;
         }
         auto const numbers = file.integers(column);
@@ -92,7 +92,7 @@ std::vector<std::string> unknown_columns(store::ResultsReader const& file, Campa
 
 std::vector<std::string> absent_columns(store::ResultsReader const& file, CampaignSpec const& spec) {
     auto tables = tables_of_rows(spec);
-    std::ranges::move(own_tables(Ladder(spec.effects, spec.accuracy)), std::back_inserter(tables));
+    std::ranges::move(extra_tables(ModelSelector(spec.effects, spec.accuracy)), std::back_inserter(tables));
     std::vector<std::string> absent;
     for (auto const& table : tables) {
         for (auto const& column : table.columns) {

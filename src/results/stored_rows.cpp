@@ -10,12 +10,12 @@ namespace overturn {
 
 StoredRows::StoredRows(store::ResultsReader const& file, CampaignSpec const& spec)
     : file_(file),
-      ladder_(spec.effects, spec.accuracy),
+      selector_(spec.effects, spec.accuracy),
       trials_(std::ssize(file.integers("trials/verdict"))),
       waves_(std::ssize(file.integers("waves/id"))),
       trial_table_(stored_trial_table(file, spec)),
       wave_table_(held_in(file, overturn::wave_table(spec))),
-      own_tables_(own_tables(ladder_)) {
+      own_tables_(extra_tables(selector_)) {
     for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
         measure_tables_.push_back(held_in(file, measure_table(spec, body)));
     }
@@ -23,10 +23,10 @@ StoredRows::StoredRows(store::ResultsReader const& file, CampaignSpec const& spe
 
 TrialRows StoredRows::trials(std::int64_t first, std::int64_t count) const {
     std::size_t const size = count;
-    TrialRows trials{std::vector<TrialRow>(size), std::vector<std::byte>(size * ladder_.own_bytes())};
+    TrialRows trials{std::vector<TrialRow>(size), std::vector<std::byte>(size * selector_.extra_bytes())};
     file_.rows(trial_table_, trials_, first, std::as_writable_bytes(std::span(trials.rows)));
     for (auto const& table : own_tables_) {
-        file_.rows(table, trials_, first, trials.own);
+        file_.rows(table, trials_, first, trials.extra);
     }
     return trials;
 }

@@ -6,7 +6,7 @@
 
 #include "campaign/campaign_spec.hpp"
 #include "campaign/trial.hpp"
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn {
@@ -30,7 +30,7 @@ class StoredRows {
 
   private:
     store::ResultsReader const& file_;
-    Ladder ladder_;
+    ModelSelector selector_;
     std::int64_t trials_, waves_;
     store::TableSpec trial_table_, wave_table_;
     std::vector<store::TableSpec> measure_tables_, own_tables_;

@@ -100,7 +100,7 @@ void simulate_until_slip(std::span<RockingTrial const> trials, RockingAccuracy c
 
 RockingOutcome resume_sliding(RockingTrial const& trial, RockingAccuracy const& accuracy,
                               rocking::Checkpoint const& checkpoint) {
-    OVERTURN_EXPECT(checkpoint.at_hand);
+    OVERTURN_EXPECT(checkpoint.reached);
     rocking::RockingRun run(trial.block, trial.shaking, accuracy, Slip::simulated, nullptr);
     return run_from_checkpoint(run, checkpoint);
 }

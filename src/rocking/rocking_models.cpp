@@ -89,7 +89,7 @@ class RockingModel : public Model {
     [[nodiscard]] EffectMask possible(Trial const& trial) const override {
         return trial.excitation.vertical_mps2.empty() ? 0 : mask_of(Effect::vertical);
     }
-    [[nodiscard]] Call called_for(Trial const& trial, Outcome const* /*said*/) const override {
+    [[nodiscard]] Requirement required_of(Trial const& trial, Outcome const* /*said*/) const override {
         return {possible(trial)};
     }
 
@@ -107,7 +107,7 @@ class RockingModel : public Model {
 
   private:
     static Slip slip_of(Trial const& trial) {
-        return trial.friction && has(trial.taken_over, Effect::sliding) ? Slip::detected : Slip::ignored;
+        return trial.friction && has(trial.handled_later, Effect::sliding) ? Slip::detected : Slip::ignored;
     }
     static void conclude_one(RockingOutcome const& rocking, Trial const& trial, Outcome& outcome) {
         bool const slips = slip_of(trial) == Slip::detected
@@ -174,7 +174,7 @@ class SlidingModel : public Model {
             auto const& trial = batch.trials[i];
             auto const rocking = rocking_trial(trial);
             auto const* const checkpoint = stopped == nullptr ? nullptr : &stopped->at.at(batch.places[i]);
-            auto const outcome = checkpoint != nullptr && checkpoint->at_hand && !shown
+            auto const outcome = checkpoint != nullptr && checkpoint->reached && !shown
                                      ? resume_sliding(rocking, accuracy_, *checkpoint)
                                      : simulate_rocking(rocking.block, rocking.shaking, accuracy_, rocking.start,
                                                         shown ? &*shown : nullptr, Slip::simulated);

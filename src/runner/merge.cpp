@@ -41,11 +41,11 @@ std::string shell_word(std::string const& text) {
 
 std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
-                                        store::ShardFolder const& shards, std::function<bool()> const& goes_on,
+                                        store::ShardFolder const& shards, std::function<bool()> const& keep_running,
                                         std::span<RareBody const> rare, output::TextOptions const& options) {
     Statistics statistics(spec);
     auto const block = [&](std::int64_t number) {
-        if (!goes_on()) {
+        if (!keep_running()) {
             throw Interrupted();
         }
         return shards.read(number);
@@ -140,10 +140,10 @@ MergeEnd merge_parts(std::filesystem::path const& output, output::TextOptions co
                    shards.folder().string(), resume_command(input, output));
         return MergeEnd::missing;
     }
-    auto const legs = shards.legs();
+    auto const segments = shards.segments();
     auto const tables = merge_blocks(
         output, input, spec, whole, *chosen, shards, [] { return true; }, {}, options);
-    write_runtime(output, legs);
+    write_runtime(output, segments);
     fmt::print("{}results: {}\n", *tables, output.string());
     return MergeEnd::complete;
 }

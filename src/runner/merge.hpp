@@ -17,14 +17,14 @@
 namespace overturn {
 
 /// Writes the results file from the blocks of `drawn`, of which the waves `chosen` count, in the memory of one block
-/// and of twenty million trials (for the curves), and removes all once it is durable. \param goes_on asked before every
-/// block \param rare one per body, or none \param options what of the results is printed \return it; nothing, and all
-/// blocks as they were, if `goes_on` said no \throws SystemError if a block is missing or damaged, or the file cannot
-/// be written; the blocks stay
+/// and of twenty million trials (for the curves), and removes all once it is durable. \param keep_running asked before
+/// every block \param rare one per body, or none \param options what of the results is printed \return it; nothing, and
+/// all blocks as they were, if `keep_running` said no \throws SystemError if a block is missing or damaged, or the file
+/// cannot be written; the blocks stay
 [[nodiscard]] std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
                                                       CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
                                                       store::ShardFolder const& shards,
-                                                      std::function<bool()> const& goes_on,
+                                                      std::function<bool()> const& keep_running,
                                                       std::span<RareBody const> rare = {},
                                                       output::TextOptions const& options = {});
 

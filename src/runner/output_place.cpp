@@ -187,7 +187,7 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
 }
 
 OutputState claim_output(std::filesystem::path const& output, store::ShardFolder const& shards,
-                         CampaignInput const& input, Plan const& plan, OutputWish const& wish,
+                         CampaignInput const& input, Plan const& plan, OutputRequest const& wish,
                          std::optional<store::Claim>& claim) {
     validate(!std::filesystem::is_directory(output), "output {} (is a folder). Name a file with -o", output.string());
     validate(!std::filesystem::exists(output) || std::filesystem::is_regular_file(output),
@@ -242,7 +242,7 @@ void require_shared(store::ShardFolder const& shards, std::string const& key, pa
 }
 
 std::vector<std::int64_t> take_blocks(std::filesystem::path const& output, store::ShardFolder const& shards,
-                                      Plan const& plan, OutputWish const& wish, bool begun,
+                                      Plan const& plan, OutputRequest const& wish, bool begun,
                                       parallel::Communicator const& comm) {
     auto const range = plan.blocks_of(wish.part);
     auto const place = [&](int rank) { return range.first + range.count() * rank / comm.size(); };

@@ -70,7 +70,7 @@ class Run {
                  options_.part.number, options_.part.of);
         validate(!options_.extend || options_.part.is_whole(),
                  "--extend beside --part (one run extends). Leave one out");
-        OutputWish const wish{options_.resume || options_.extend, options_.extend, options_.part};
+        OutputRequest const wish{options_.resume || options_.extend, options_.extend, options_.part};
         auto const found = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
             auto const state = claim_output(options_.output, shards_, input_, plan_, wish, claim_);
             auto const kept =
@@ -217,7 +217,7 @@ class Run {
     RunEnd merge() {
         auto const table = broadcast_from_root(comm_, [&] {
             auto const begin = Clock::now();
-            earlier_legs_ = shards_.legs();
+            earlier_segments_ = shards_.segments();
             auto const tables = merge_blocks(
                 options_.output, input_, spec_, plan_, waves_.chosen(chosen_), shards_,
                 [&] { return stop_policy_.may_merge(); }, rare_.value_or(std::vector<RareBody>{}), options_.text);
@@ -233,24 +233,24 @@ class Run {
     void account() {
         auto const ranks = comm_.gather(seconds_text(comm_, done_.seconds));
         if (comm_.is_root()) {
-            print_note("cost: {}\n", output::rung_costs(sum_of_rungs(ranks)));
-            print_legs(leg_text(options_.part, ranks, wall_s_, done_.committed * plan_.trials() / plan_.blocks()));
+            print_note("cost: {}\n", output::model_costs(sum_of_models(ranks)));
+            print_segments(leg_text(options_.part, ranks, wall_s_, done_.committed * plan_.trials() / plan_.blocks()));
         }
     }
 
-    // What is not merged yet goes on with the legs so far; a part's are told by merge.
-    void print_legs(std::string const& leg) {
-        auto legs = shards_.exists() ? shards_.legs() : earlier_legs_;
-        legs.push_back(leg);
+    // What is not merged yet goes on with the segments so far; a part's are told by merge.
+    void print_segments(std::string const& segment) {
+        auto segments = shards_.exists() ? shards_.segments() : earlier_segments_;
+        segments.push_back(segment);
         if (shards_.exists()) {
             try {
-                shards_.keep_leg(leg);
+                shards_.keep_segment(segment);
             } catch (SystemError const& error) {
                 print_note("the times of this run are not kept: {}\n", error.what());
             }
         }
         if (options_.part.is_whole()) {
-            write_runtime(options_.output, legs);
+            write_runtime(options_.output, segments);
         }
     }
 
@@ -266,7 +266,7 @@ class Run {
     std::unique_ptr<KeptRows> kept_;  ///< of earlier campaigns, where blocks hold some of them
     WorkDone done_;
     std::optional<std::vector<RareBody>> rare_;
-    std::vector<std::string> earlier_legs_;  ///< of blocks that are merged; known on rank 0
+    std::vector<std::string> earlier_segments_;  ///< of blocks that are merged; known on rank 0
     double wall_s_ = 0;
     bool told_obstacle_ = false;
     std::vector<std::int64_t> committed_;      ///< by earlier runs

@@ -29,20 +29,21 @@ std::string seconds_text(parallel::Communicator const& comm, PhaseSeconds const&
                                 {"measures_s", seconds.measures},
                                 {"response_s", seconds.response},
                                 {"store_s", seconds.store}};
-    for (std::size_t r = 0; r < seconds.rungs.size(); ++r) {
-        json["rungs"][rungs()[r].name] = {{"trials", seconds.rungs[r].trials}, {"seconds", seconds.rungs[r].seconds}};
+    for (std::size_t r = 0; r < seconds.models.size(); ++r) {
+        json["models"][model_categories()[r].name] = {{"trials", seconds.models[r].trials},
+                                                      {"seconds", seconds.models[r].seconds}};
     }
     return json.dump();
 }
 
-PhaseSeconds sum_of_rungs(std::vector<std::string> const& ranks) {
+PhaseSeconds sum_of_models(std::vector<std::string> const& ranks) {
     PhaseSeconds sum;
     for (auto const& rank : ranks) {
-        auto const found = nlohmann::json::parse(rank).at("rungs");
-        for (std::size_t r = 0; r < sum.rungs.size(); ++r) {
-            auto const& rung = found.at(rungs()[r].name);
-            sum.rungs[r].trials += rung.at("trials").get<std::int64_t>();
-            sum.rungs[r].seconds += rung.at("seconds").get<double>();
+        auto const found = nlohmann::json::parse(rank).at("models");
+        for (std::size_t r = 0; r < sum.models.size(); ++r) {
+            auto const& model = found.at(model_categories()[r].name);
+            sum.models[r].trials += model.at("trials").get<std::int64_t>();
+            sum.models[r].seconds += model.at("seconds").get<double>();
         }
     }
     return sum;
@@ -70,29 +71,29 @@ std::string leg_text(Part part, std::vector<std::string> const& ranks, double wa
     return json.dump();
 }
 
-void write_runtime(std::filesystem::path const& output, std::span<std::string const> legs) {
+void write_runtime(std::filesystem::path const& output, std::span<std::string const> segments) {
     double wall_s = 0;
     std::int64_t trials = 0;
     auto list = Json::array();
     auto ranks = Json::array();
-    for (auto const& text : legs) {
-        auto leg = Json::parse(text, nullptr, false);
-        if (leg.is_discarded() || !leg.contains("ranks")) {
+    for (auto const& text : segments) {
+        auto segment = Json::parse(text, nullptr, false);
+        if (segment.is_discarded() || !segment.contains("ranks")) {
             continue;  // damaged; blocks do not depend on it
         }
-        wall_s += leg.value("wall_s", 0.0);
-        trials += leg.value("trials", std::int64_t{0});
-        for (auto& rank : leg["ranks"]) {
-            rank["leg"] = list.size();
+        wall_s += segment.value("wall_s", 0.0);
+        trials += segment.value("trials", std::int64_t{0});
+        for (auto& rank : segment["ranks"]) {
+            rank["segment"] = list.size();
             ranks.push_back(rank);
         }
-        leg["ranks"] = leg["ranks"].size();
-        list.push_back(std::move(leg));
+        segment["ranks"] = segment["ranks"].size();
+        list.push_back(std::move(segment));
     }
     Json const json{{"wall_s", wall_s},
                     {"trials", trials},
                     {"trials_per_s", wall_s > 0 ? static_cast<double>(trials) / wall_s : 0.0},
-                    {"legs", list},
+                    {"segments", list},
                     {"ranks", ranks}};
     auto path = output;
     path.replace_extension(".runtime.json");

@@ -1,4 +1,5 @@
-/// FILE.runtime.json: what an output took, leg by leg and rank by rank, and on what; nothing of it is in the results.
+/// FILE.runtime.json: what an output took, segment by segment and rank by rank, and on what; nothing of it is in the
+/// results.
 #pragma once
 
 #include <filesystem>
@@ -15,14 +16,14 @@ namespace overturn {
 /// One rank's seconds and what its numbers hang on (libm, vector lanes), to be gathered.
 [[nodiscard]] std::string seconds_text(parallel::Communicator const& comm, PhaseSeconds const& seconds);
 
-/// The rungs of all ranks, from their seconds_text.
-[[nodiscard]] PhaseSeconds sum_of_rungs(std::vector<std::string> const& ranks);
+/// The models of all ranks, from their seconds_text.
+[[nodiscard]] PhaseSeconds sum_of_models(std::vector<std::string> const& ranks);
 
 /// What one run, or one part, did: program, compiler, libraries, and all its ranks.
 [[nodiscard]] std::string leg_text(Part part, std::vector<std::string> const& ranks, double wall_s,
                                    std::int64_t trials);
 
-/// Beside `output`, of all its legs. A failure is said on stderr and no more: the results do not depend on it.
-void write_runtime(std::filesystem::path const& output, std::span<std::string const> legs);
+/// Beside `output`, of all its segments. A failure is said on stderr and no more: the results do not depend on it.
+void write_runtime(std::filesystem::path const& output, std::span<std::string const> segments);
 
 }  // namespace overturn

@@ -42,7 +42,7 @@ class Verifier {
     Verifier(store::ResultsReader const& file, CampaignSpec const& spec, VerifyWish const& wish)
         : file_(file),
           spec_(spec),
-          ladder_(spec.effects, spec.accuracy),
+          selector_(spec.effects, spec.accuracy),
           plan_(plan_in(file, spec)),
           rows_(file, spec) {
         waves_ = rows_.wave_count();
@@ -135,15 +135,15 @@ class Verifier {
     }
 
     void compare_trial(std::int64_t number, TrialRows const& stored, TrialRows const& again, std::size_t at) {
-        auto const own = ladder_.own_bytes();
+        auto const own = selector_.extra_bytes();
         auto const one = [&](TrialRows const& trials) {
-            auto const part = std::span(trials.own).subspan(at * own, own);
+            auto const part = std::span(trials.extra).subspan(at * own, own);
             return TrialRows{{trials.rows[at]}, {part.begin(), part.end()}};
         };
         auto const a = one(stored);
         auto const b = one(again);
         ++counts_[0];
-        if (same_bits(a.rows.front(), b.rows.front()) && a.own == b.own) {
+        if (same_bits(a.rows.front(), b.rows.front()) && a.extra == b.extra) {
             return;
         }
         auto const& row = b.rows.front();
@@ -207,7 +207,7 @@ class Verifier {
 
     store::ResultsReader const& file_;
     CampaignSpec const& spec_;
-    Ladder ladder_;
+    ModelSelector selector_;
     Plan plan_;
     StoredRows rows_;
     std::int64_t waves_ = 0, trials_ = 0;

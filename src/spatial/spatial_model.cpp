@@ -103,7 +103,7 @@ class SpatialModel : public Model {
         return trial.body->needs_planar_rocking() ? 0 : traits().brings();
     }
 
-    [[nodiscard]] Call called_for(Trial const& trial, Outcome const* said) const override {
+    [[nodiscard]] Requirement required_of(Trial const& trial, Outcome const* said) const override {
         auto const all = traits().always | (trial.friction ? mask_of(Effect::sliding) : 0);
         bool const shaken_across = !trial.excitation.transverse_mps2.empty();
         if (said != nullptr) {
@@ -113,11 +113,11 @@ class SpatialModel : public Model {
             case BaseShape::polygon:
                 return {all, of_polygon};
             case BaseShape::round:
-                return shaken_across || trial.footing->base.continuous() ? Call{all, of_round} : Call{};
+                return shaken_across || trial.footing->base.continuous() ? Requirement{all, of_round} : Requirement{};
             case BaseShape::square:
                 break;
         }
-        return shaken_across && acts_on_square(trial) ? Call{all, of_transverse} : Call{};
+        return shaken_across && acts_on_square(trial) ? Requirement{all, of_transverse} : Requirement{};
     }
 
     [[nodiscard]] std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
@@ -138,10 +138,10 @@ class SpatialModel : public Model {
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             batch.outcomes[i] = outcomes[i];
             batch.outcomes[i].called = mask_of(Effect::spatial);
-            if (!batch.own.empty()) {
-                fill_match(blocks[i].match, outcomes[i].own);
+            if (!batch.extra.empty()) {
+                fill_match(blocks[i].match, outcomes[i].extra);
                 constexpr std::size_t row = sizeof(SpatialQuantities);
-                std::memcpy(batch.own.subspan(i * row, row).data(), &outcomes[i].own, row);
+                std::memcpy(batch.extra.subspan(i * row, row).data(), &outcomes[i].extra, row);
             }
         }
         return nullptr;
@@ -196,7 +196,7 @@ ModelTraits const& spatial_traits() {
                                     .reasons = reasons,
                                     .channels = channels,
                                     .fields = fields_of<SpatialQuantities>(),
-                                    .nothing = nothing_of<SpatialQuantities>()};
+                                    .default_row = default_row_of<SpatialQuantities>()};
     return traits;
 }
 

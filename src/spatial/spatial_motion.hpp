@@ -47,7 +47,7 @@ template <> [[nodiscard]] Fields const& fields_of<SpatialQuantities>();
 /// g lift): of the height of the centre of gravity above the body's lowest point, less h; in the rocking plane that is
 /// the planar definition up to its peak, and over a corner it may exceed V_Ereq.
 struct SpatialOutcome : Outcome {
-    SpatialQuantities own;
+    SpatialQuantities extra;
     std::array<double, 2> residual_m{};        ///< of the base's centre
     std::array<double, 3> end_velocity_mps{};  ///< of the centre of gravity when it ended
 };

@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view magic = "overturn-block 1\n";
-constexpr std::string_view leg_ending = ".leg";
+constexpr std::string_view segment_ending = ".segment";
 constexpr std::string_view record_name = "campaign.record";
 constexpr std::size_t hash_length = 64;
 constexpr std::string_view folder_ending = ".parts";
@@ -242,18 +242,18 @@ std::vector<fs::path> ShardFolder::aside() const {
     return outputs;
 }
 
-void ShardFolder::keep_leg(std::string const& text) const {
+void ShardFolder::keep_segment(std::string const& text) const {
     int number = 1;
-    while (!create_durably(folder_ / fmt::format("{:06}{}", number, leg_ending), bytes_of(text))) {
+    while (!create_durably(folder_ / fmt::format("{:06}{}", number, segment_ending), bytes_of(text))) {
         ++number;
     }
 }
 
-std::vector<std::string> ShardFolder::legs() const {
+std::vector<std::string> ShardFolder::segments() const {
     std::vector<fs::path> files;
     std::error_code ignored;
     for (auto const& entry : fs::directory_iterator(folder_, ignored)) {
-        if (entry.path().filename().string().ends_with(leg_ending)) {
+        if (entry.path().filename().string().ends_with(segment_ending)) {
             files.push_back(entry.path());
         }
     }
@@ -289,7 +289,7 @@ void ShardFolder::remove() const {
     });
     each_beside_record(folder_, [&](ShardEntry const& entry) {
         auto const file = entry.finished_name();
-        if (file == record_name || file.ends_with(leg_ending) || file == Claim::file_name || entry.is_group()) {
+        if (file == record_name || file.ends_with(segment_ending) || file == Claim::file_name || entry.is_group()) {
             fs::remove(entry.path, ignored);  // folders stay if anything foreign lies in them
         }
     });

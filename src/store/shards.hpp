@@ -52,16 +52,16 @@ class ShardFolder {
     /// The rows of a committed block. \throws SystemError if it is missing or damaged
     [[nodiscard]] std::vector<std::byte> read(std::int64_t block) const;
     /// Puts the blocks and the record of an earlier campaign into a folder inside this one, where they wait for
-    /// whatever can use their rows; its legs stay. Broken off, it goes on when called again. \param key the earlier
+    /// whatever can use their rows; its segments stay. Broken off, it goes on when called again. \param key the earlier
     /// campaign's \throws SystemError
     void set_aside(std::string const& key) const;
     /// The folders of campaigns that were set aside, as the outputs of ShardFolders.
     [[nodiscard]] std::vector<std::filesystem::path> aside() const;
 
-    /// Keeps a text about one leg of the work (a run, a part) beside its blocks. \throws SystemError
-    void keep_leg(std::string const& text) const;
+    /// Keeps a text about one segment of the work (a run, a part) beside its blocks. \throws SystemError
+    void keep_segment(std::string const& text) const;
     /// All of them, in the order in which they were kept.
-    [[nodiscard]] std::vector<std::string> legs() const;
+    [[nodiscard]] std::vector<std::string> segments() const;
     /// Removes what killed writers of these blocks left half done. \pre nobody else writes them now
     void remove_unfinished(BlockRange range) const;
     /// Removes the folder and everything this class put into it.

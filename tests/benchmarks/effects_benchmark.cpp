@@ -6,7 +6,7 @@
 
 #include <benchmark/benchmark.h>
 
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 #include "rocking/planar_rocking.hpp"
 #include "support/long_period_wave.hpp"
 
@@ -49,7 +49,7 @@ void choosing(benchmark::State& state, EffectRequest const& request) {
                           .centre_height_m = 1.045,
                           .inertia_kgm2 = 12.6e3 * (0.68 * 0.68 + 1.045 * 1.045) / 3});
     Scene const scene{body, Friction{0.72, 0.72}};
-    Ladder const ladder(request);
+    ModelSelector const selector(request);
     GroundMotion motion;
     motion.time_step_s = 0.01;
     motion.horizontal_mps2 = wave(Set::b);
@@ -60,7 +60,7 @@ void choosing(benchmark::State& state, EffectRequest const& request) {
     }
     std::vector<Response> responses(trials.size());
     for (auto _ : state) {
-        benchmark::DoNotOptimize(ladder.respond(trials, responses));
+        benchmark::DoNotOptimize(selector.respond(trials, responses));
     }
     std::int64_t slipped = 0;
     for (auto const& response : responses) {

@@ -166,7 +166,7 @@ TEST(AcceptedWaves, KeepTheirRowsAndNoOthers) {
         auto const kept = rows_of_chosen(std::move(rows), plan, block, taken);
         EXPECT_EQ(kept.measures.size(), kept.waves.size());
         EXPECT_EQ(kept.trials.rows.size(), 2 * kept.waves.size());
-        EXPECT_EQ(kept.trials.own.size() * all.trials.rows.size(), all.trials.own.size() * kept.trials.rows.size());
+        EXPECT_EQ(kept.trials.extra.size() * all.trials.rows.size(), all.trials.extra.size() * kept.trials.rows.size());
         for (auto const& row : kept.waves) {
             ids.push_back(row.id);
         }

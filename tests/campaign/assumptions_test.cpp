@@ -77,11 +77,11 @@ TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {
     auto const body = [](std::string const& keys) { return quick_waves + type_b + keys + levels; };
 
     EXPECT_EQ(bears("one-plane", plain), Bears::yes);
-    EXPECT_EQ(bears("one-plane", across + levels), Bears::where_not_called_for);
+    EXPECT_EQ(bears("one-plane", across + levels), Bears::where_not_required);
     EXPECT_EQ(bears("one-plane", across + "axes=1\n" + levels), Bears::yes);
     EXPECT_EQ(bears("no-vertical-motion", plain), Bears::yes);
     EXPECT_EQ(bears("no-vertical-motion", across + levels), Bears::no);
-    EXPECT_EQ(bears("rigid-ground", plain), Bears::where_not_called_for);
+    EXPECT_EQ(bears("rigid-ground", plain), Bears::where_not_required);
     EXPECT_EQ(bears("rigid-ground", plain + "[effects]\nmode='none'\n"), Bears::yes);
     EXPECT_EQ(bears("corner-contact", plain), Bears::yes);
     EXPECT_EQ(bears("corner-contact", body("base={bedding='flat'}\n")), Bears::no);

@@ -31,7 +31,7 @@ class TiedModel : public Model {
         return traits;
     }
     [[nodiscard]] ModelTraits const& traits() const override { return entry(); }
-    [[nodiscard]] Call called_for(Trial const& /*trial*/, Outcome const* /*said*/) const override {
+    [[nodiscard]] Requirement required_of(Trial const& /*trial*/, Outcome const* /*said*/) const override {
         return {mask_of(tied)};
     }
     std::unique_ptr<Checkpoints> run(Batch const& /*batch*/) const override { return nullptr; }
@@ -54,7 +54,8 @@ TEST(EffectsTold, WhatAutoLeavesOutIsToldBeforeARun) {
     auto const warnings = [](std::string const& body_keys, std::span<ModelEntry const> entries) {
         auto const spec = campaign_from(campaign_with(body_keys, ""));
         PhaseSeconds seconds;
-        return warnings_of_effects(spec, prepare_wave(spec, Plan(spec), 0, seconds), Ladder(spec.effects, {}, entries));
+        return warnings_of_effects(spec, prepare_wave(spec, Plan(spec), 0, seconds),
+                                   ModelSelector(spec.effects, {}, entries));
     };
     std::string const flat = "base={bedding='flat'}\npad={match_restitution=false}\n";
     EXPECT_TRUE(

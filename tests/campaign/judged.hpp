@@ -31,10 +31,10 @@ class Judged {
   public:
     explicit Judged(std::string const& site, std::string const& bodies = slides)
         : spec(campaign_from(with_site(site, bodies))),
-          ladder(spec.effects, spec.accuracy),
-          judge(spec.site, spec.bodies, ladder),
-          own(ladder.own_bytes()) {
-        ladder.put_nothing(own);
+          selector(spec.effects, spec.accuracy),
+          judge(spec.site, spec.bodies, selector),
+          extra(selector.extra_bytes()) {
+        selector.put_defaults(extra);
     }
 
     /// Of a body that slid so far and tilted so far in a plane.
@@ -48,7 +48,7 @@ class Judged {
         return row;
     }
     [[nodiscard]] TrialRow filled(TrialRow row) const {
-        judge.fill(row, {row, own});
+        judge.fill(row, {row, extra});
         return row;
     }
     [[nodiscard]] TrialRow filled(double slip_m, double tilt_rad) const { return filled(moved(slip_m, tilt_rad)); }
@@ -61,23 +61,23 @@ class Judged {
         put("edge_y_least", -edges_m[3]);
         put("peak_yaw", yaw_rad);
         auto row = moved(0, tilt_rad);
-        row.rung = spatial_traits().number;
+        row.model = spatial_traits().number;
         row.effects = mask_of(Effect::contact) | mask_of(Effect::spatial);
         return filled(row);
     }
 
     CampaignSpec spec;
-    Ladder ladder;
+    ModelSelector selector;
     SiteJudge judge;
-    std::vector<std::byte> own;
+    std::vector<std::byte> extra;
 
   private:
     void put(std::string_view name, double value) {
-        for (auto const& [traits, offset] : ladder.own_parts()) {
+        for (auto const& [traits, offset] : selector.extra_parts()) {
             auto const field = std::ranges::find(traits->fields, name, &Field::name);
             if (traits->number == spatial_traits().number) {
                 ASSERT_NE(field, traits->fields.end());
-                std::memcpy(own.data() + offset + field->offset, &value, sizeof value);
+                std::memcpy(extra.data() + offset + field->offset, &value, sizeof value);
             }
         }
     }

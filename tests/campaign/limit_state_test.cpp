@@ -29,28 +29,30 @@ class Judged {
   public:
     explicit Judged(std::string const& limits, std::string const& more = "")
         : spec(with_limits(limits, more)),
-          ladder(spec.effects, spec.accuracy),
-          judge_(spec.limits, ladder),
-          own(ladder.own_bytes()) {
-        ladder.put_nothing(own);
+          selector(spec.effects, spec.accuracy),
+          judge_(spec.limits, selector),
+          extra(selector.extra_bytes()) {
+        selector.put_defaults(extra);
     }
     // 'p' passed, 'k' kept, '?' not known.
     [[nodiscard]] char operator()(TrialRow const& row, std::size_t limit = 1) const {
-        auto const outcomes = judge_.judge(row, own);
+        auto const outcomes = judge_.judge(row, extra);
         EXPECT_TRUE(outcomes.is_decided(limit) || !outcomes.has_passed(limit));
         return !outcomes.is_decided(limit) ? '?' : outcomes.has_passed(limit) ? 'p' : 'k';
     }
 
-    [[nodiscard]] double near(TrialRow const& row, std::size_t limit) const { return judge_.nearness(limit, row, own); }
+    [[nodiscard]] double near(TrialRow const& row, std::size_t limit) const {
+        return judge_.nearness(limit, row, extra);
+    }
 
     CampaignSpec spec;
-    Ladder ladder;
+    ModelSelector selector;
 
   private:
     LimitJudge judge_;
 
   public:
-    std::vector<std::byte> own;
+    std::vector<std::byte> extra;
 };
 
 TEST(LimitState, OverturningIsAlwaysThereAndFirst) {
@@ -210,17 +212,17 @@ TEST(LimitState, QuantitiesOfAModelCallForIt) {
     ASSERT_EQ(judged.spec.effects.mode, EffectMode::automatic);
     std::int64_t const rocking = 1;
     std::int64_t contact = 0;
-    for (auto const& [traits, offset] : judged.ladder.own_parts()) {
+    for (auto const& [traits, offset] : judged.selector.extra_parts()) {
         if (traits->name == "contact") {
             contact = traits->number;
-            set_real(std::span(judged.own).subspan(offset), field_named(traits->fields, "peak_rise"), 0.002);
+            set_real(std::span(judged.extra).subspan(offset), field_named(traits->fields, "peak_rise"), 0.002);
         }
     }
     auto row = row_of(Verdict::rocked, 0, 0.1);
-    row.rung = contact;
+    row.model = contact;
 
     EXPECT_EQ(judged(row), 'p');
-    row.rung = rocking;
+    row.model = rocking;
     EXPECT_EQ(judged(row), '?') << "no contact ran";
     EXPECT_EQ(with_limits(touches).effects.include, 0U) << "auto calls for sliding by itself";
 }
@@ -229,7 +231,7 @@ TEST(LimitState, QuantitiesOfAModelCallForIt) {
 TEST(LimitState, EveryTrialTellsWhatALimitNeeds) {
     auto const spec = with_limits("[[limits]]\nname='pressed'\nquantity='peak_contact_force_ratio'\nabove=1.2\n");
     Plan const plan(spec);
-    Ladder const ladder(spec.effects, spec.accuracy);
+    ModelSelector const selector(spec.effects, spec.accuracy);
     Statistics statistics(spec);
     PhaseSeconds seconds;
     std::int64_t passed = 0;
@@ -239,9 +241,10 @@ TEST(LimitState, EveryTrialTellsWhatALimitNeeds) {
         std::size_t at = 0;
         for (auto const& row : block.trials.rows) {
             EXPECT_EQ(row.reason, stated_reason);
-            auto const own = std::span(block.trials.own).subspan(ladder.own_bytes() * at++, ladder.own_bytes());
-            for (auto const& [traits, offset] : ladder.own_parts()) {
-                if (traits->number == row.rung) {
+            auto const own =
+                std::span(block.trials.extra).subspan(selector.extra_bytes() * at++, selector.extra_bytes());
+            for (auto const& [traits, offset] : selector.extra_parts()) {
+                if (traits->number == row.model) {
                     auto const force = field_named(traits->fields, "peak_contact_force_ratio");
                     passed += real_at(own.subspan(offset), force) > 1.2 ? 1 : 0;
                 }

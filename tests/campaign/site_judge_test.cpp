@@ -112,12 +112,12 @@ TEST(Site, TheOtherCaskMovesAsItsOwnTrialSays) {
     auto row = judged.moved(0.2, 0.05);
     auto other = judged.moved(0.1, 0.2, 1);
     double const own_way = 0.2 + height_m * std::sin(0.05);
-    judged.judge.fill(row, {row, judged.own}, SiteJudge::Trial{other, judged.own});
+    judged.judge.fill(row, {row, judged.extra}, SiteJudge::Trial{other, judged.extra});
     EXPECT_DOUBLE_EQ(row.least_clearance_m, 1 - own_way - (0.1 + 1.0 * std::sin(0.2)));
 
     row = judged.moved(0.2, 0.05);
     other.verdict = Verdict::failed;
-    judged.judge.fill(row, {row, judged.own}, SiteJudge::Trial{other, judged.own});
+    judged.judge.fill(row, {row, judged.extra}, SiteJudge::Trial{other, judged.extra});
     EXPECT_TRUE(std::isnan(row.least_clearance_m)) << "nobody knows how far that one came";
 }
 

@@ -29,8 +29,8 @@ TEST(Site, ItsLimitsAreThere) {
     EXPECT_EQ(definition_of(spec.limits[1], spec.limits), "least_clearance < 0 m");
     EXPECT_EQ(definition_of(spec.limits[2], spec.limits), "edge_margin < 0 m");
     EXPECT_EQ(definition_of(spec.limits[4], spec.limits), "least_clearance < 10 cm");
-    Ladder const ladder(spec.effects, spec.accuracy);
-    LimitJudge const judge(spec.limits, ladder);
+    ModelSelector const selector(spec.effects, spec.accuracy);
+    LimitJudge const judge(spec.limits, selector);
     TrialRow row;
     row.verdict = Verdict::slid;
     row.least_clearance_m = -0.3;  // of less than 0 no more than of little: it is no magnitude

@@ -159,7 +159,7 @@ TEST(TrialPurity, TransverseMotionIsReportedAndCallsForSpaceWhereItIsStrong) {
     for (bool const shaken : {true, false}) {
         auto const third = campaign_from(strong + (shaken ? "" : "axes=1\n") + testing::levels("values=[4,6]\n"));
         auto const there = run(third, prepared(third, 1), 0, 1);
-        EXPECT_EQ(there.rung == spatial_traits().number, shaken);
+        EXPECT_EQ(there.model == spatial_traits().number, shaken);
         EXPECT_EQ(has(static_cast<EffectMask>(there.called), Effect::vertical), shaken);
     }
     EXPECT_EQ(row.vertical_pga_mps2, without.row.vertical_pga_mps2);
@@ -254,7 +254,7 @@ TEST(BlockRows, OfSeveralBlocksAreThoseOfEachAlone) {
     Plan const plan(spec);
     PhaseSeconds seconds;
     ASSERT_EQ(plan.blocks(), 5);
-    ASSERT_GT(plan.own_bytes(), 0);
+    ASSERT_GT(plan.extra_bytes(), 0);
     std::vector<std::int64_t> const some{0, 2, 3, 4};
 
     auto const together = run_blocks(spec, plan, some, seconds, [] { return true; });

@@ -161,13 +161,13 @@ TEST_F(Refusal, ChoosesTheSameWavesHoweverTheyWereComputed) {
     ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "other.h5", "--set", "seed=5"}).code, 0);
     EXPECT_FALSE(folder.read("other.h5") == one);
 
-    auto stopped = overturn(folder, {"run", "c.toml", "-o", "legs.h5", "--max-walltime", "0.05s"});
+    auto stopped = overturn(folder, {"run", "c.toml", "-o", "segments.h5", "--max-walltime", "0.05s"});
     EXPECT_EQ(stopped.code, 3) << stopped.err;
-    auto const status = overturn(folder, {"status", "legs.h5"});
+    auto const status = overturn(folder, {"status", "segments.h5"});
     EXPECT_EQ(status.code, 3);
     EXPECT_NE(status.out.find(" left"), std::string::npos) << status.out;
-    ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "legs.h5", "--resume"}).code, 0);
-    EXPECT_TRUE(folder.read("legs.h5") == one);
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "segments.h5", "--resume"}).code, 0);
+    EXPECT_TRUE(folder.read("segments.h5") == one);
 
     for (std::string const part : {"2/2", "1/2"}) {
         auto const ended = overturn(folder, {"run", "c.toml", "-o", "parts.h5", "--part", part});

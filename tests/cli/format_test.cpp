@@ -296,13 +296,13 @@ TEST_F(Format, TheTimesSayOnWhatTheyWereTaken) {
     run(small_campaign("shared", 2), "c.h5");
     auto const runtime = json::parse(folder.read("c.runtime.json"));
 
-    ASSERT_EQ(runtime.at("legs").size(), 1U);
-    auto const& leg = runtime.at("legs")[0];
-    EXPECT_EQ(leg.at("program"), program_identity());
-    EXPECT_EQ(leg.at("compiler"), compiler());
-    EXPECT_NE(leg.at("libraries").get<std::string>().find("FFTW"), std::string::npos);
-    EXPECT_FALSE(leg.at("mpi").get<std::string>().empty());
-    EXPECT_EQ(leg.at("ranks"), 1);
+    ASSERT_EQ(runtime.at("segments").size(), 1U);
+    auto const& segment = runtime.at("segments")[0];
+    EXPECT_EQ(segment.at("program"), program_identity());
+    EXPECT_EQ(segment.at("compiler"), compiler());
+    EXPECT_NE(segment.at("libraries").get<std::string>().find("FFTW"), std::string::npos);
+    EXPECT_FALSE(segment.at("mpi").get<std::string>().empty());
+    EXPECT_EQ(segment.at("ranks"), 1);
     for (char const* key : {"host", "glibc", "lanes"}) {
         EXPECT_FALSE(runtime.at("ranks")[0].at(key).get<std::string>().empty()) << key;
     }
@@ -313,15 +313,15 @@ TEST_F(Format, EveryLegIsTold) {
     folder.write("target.csv", target_csv);
     folder.write("c.toml", small_campaign("shared", 12));
     EXPECT_EQ(overturn(folder, {"run", "c.toml", "--max-walltime", "0.001"}).code, 3);
-    EXPECT_EQ(json::parse(folder.read("c.runtime.json")).at("legs").size(), 1U);
+    EXPECT_EQ(json::parse(folder.read("c.runtime.json")).at("segments").size(), 1U);
     EXPECT_EQ(overturn(folder, {"run", "c.toml", "--resume", "--max-walltime", "0.001"}).code, 3);
     EXPECT_EQ(execute(folder, mpirun(2, {"run", "c.toml", "--resume"})).code, 0);
 
     auto const runtime = json::parse(folder.read("c.runtime.json"));
-    ASSERT_EQ(runtime.at("legs").size(), 3U);
-    EXPECT_EQ(runtime.at("legs")[2].at("ranks"), 2);
+    ASSERT_EQ(runtime.at("segments").size(), 3U);
+    EXPECT_EQ(runtime.at("segments")[2].at("ranks"), 2);
     EXPECT_EQ(runtime.at("ranks").size(), 4U);
-    EXPECT_EQ(runtime.at("ranks")[3].at("leg"), 2);
+    EXPECT_EQ(runtime.at("ranks")[3].at("segment"), 2);
     EXPECT_EQ(runtime.at("trials"), 72);
     EXPECT_FALSE(folder.has("c.h5.parts"));
 }

@@ -59,8 +59,8 @@ TEST_F(Parts, MergedAreTheBytesOfOneRun) {
     EXPECT_NE(merged.out.find("results: c.h5"), std::string::npos) << merged.out;
     EXPECT_FALSE(folder.has("c.h5.parts"));
     auto const runtime = nlohmann::json::parse(folder.read("c.runtime.json"));
-    ASSERT_EQ(runtime.at("legs").size(), 3U) << "one file tells of all parts";
-    EXPECT_EQ(runtime.at("legs")[1].at("part"), "3/3");
+    ASSERT_EQ(runtime.at("segments").size(), 3U) << "one file tells of all parts";
+    EXPECT_EQ(runtime.at("segments")[1].at("part"), "3/3");
     EXPECT_EQ(runtime.at("ranks").size(), 4U);
     EXPECT_EQ(runtime.at("trials"), 42);
     expect_as_one_run();

@@ -13,8 +13,8 @@ using testing::campaign_from;
 std::string const twelve = "values=[1,2,3,4,5,6,7,8,9,10,11,12]\n";
 
 std::int64_t answered(ProbedCost const& cost) {
-    return std::accumulate(cost.models.rungs.begin(), cost.models.rungs.end(), std::int64_t{0},
-                           [](std::int64_t sum, RungCost const& rung) { return sum + rung.trials; });
+    return std::accumulate(cost.models.models.begin(), cost.models.models.end(), std::int64_t{0},
+                           [](std::int64_t sum, ModelCost const& model) { return sum + model.trials; });
 }
 
 // A cheap campaign is probed with all its levels: those that were thinned for a first look are back.

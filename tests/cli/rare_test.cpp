@@ -60,7 +60,7 @@ TEST_F(Rare, SubsetIsTheSameOnAnyRanksAndAfterKills) {
     EXPECT_FALSE(folder.has("c.h5.parts"));
 }
 
-// R-1101, R-1005: the same of the pulse mixture, killed in the middle of its ladder; every kind of row replays
+// R-1101, R-1005: the same of the pulse mixture, killed in the middle of its selector; every kind of row replays
 // bit-equal.
 TEST_F(Rare, PulsesAreTheSameOnAnyRanksAndAfterKills) {
     folder.write("c.toml", campaign("method='pulse-mixture'\ntarget_cov=1"));

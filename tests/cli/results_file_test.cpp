@@ -85,7 +85,7 @@ assert ((t['effects'] & 1) == 1).all()
 print('checked')
 )python";
 
-// Bodies whose order in the campaign is not that of the alphabet, on rungs of their own, with a limit state.
+// Bodies whose order in the campaign is not that of the alphabet, on models of their own, with a limit state.
 std::string many_groups() {
     auto campaign = campaign_on_points(4);
     campaign.replace(campaign.find("type-a"), std::string("type-a").size(), "wide one");

@@ -28,8 +28,8 @@ TEST(ContactModel, SaysWhatItIs) {
     EXPECT_EQ(traits.number, 3);
     EXPECT_EQ(traits.holds, all);
     EXPECT_EQ(traits.brings(), contact);
-    EXPECT_TRUE(testing::describe_all(traits.fields, traits.nothing.size()));
-    EXPECT_TRUE(std::isnan(real_at(traits.nothing, field_named(traits.fields, "peak_crush"))));
+    EXPECT_TRUE(testing::describe_all(traits.fields, traits.default_row.size()));
+    EXPECT_TRUE(std::isnan(real_at(traits.default_row, field_named(traits.fields, "peak_crush"))));
 }
 
 /// Counts what it is shown.
@@ -74,7 +74,7 @@ TEST(ContactModel, RunsABatchAsItsTrialsAlone) {
     }
     std::vector<Outcome> outcomes(trials.size());
     std::vector<std::byte> own(trials.size() * sizeof(ContactQuantities));
-    model->run({.trials = trials, .outcomes = outcomes, .own = own});
+    model->run({.trials = trials, .outcomes = outcomes, .extra = own});
     for (std::size_t i = 0; i < trials.size(); ++i) {
         bool const everything = trials[i].simulated == all;
         auto const block = contact_block(body, {}, {}, everything ? trials[i].friction : std::nullopt);
@@ -83,12 +83,12 @@ TEST(ContactModel, RunsABatchAsItsTrialsAlone) {
         auto alone = simulate_contact(block, shaking);
         alone.called = contact;
         EXPECT_TRUE(testing::bit_equal<Outcome>(alone, outcomes[i])) << i;
-        alone.own.restitution = emergent_restitution(body, {}, {});
-        alone.own.corner_share = 1;
-        alone.own.normal_restitution = 0.25;
+        alone.extra.restitution = emergent_restitution(body, {}, {});
+        alone.extra.corner_share = 1;
+        alone.extra.normal_restitution = 0.25;
         ContactQuantities row;
         std::memcpy(&row, own.data() + i * sizeof(row), sizeof(row));
-        EXPECT_TRUE(testing::bit_equal(alone.own, row)) << i;
+        EXPECT_TRUE(testing::bit_equal(alone.extra, row)) << i;
     }
 }
 
@@ -103,7 +103,7 @@ TEST(ContactModel, MatchesEveryBody) {
     Trial const trial{&body, &on_corners, {}, {.horizontal_mps2 = wave, .time_step_s = 0.01}, contact};
     Outcome outcome;
     std::vector<std::byte> own(sizeof(ContactQuantities));
-    make_contact_model({})->run({.trials = {&trial, 1}, .outcomes = {&outcome, 1}, .own = own});
+    make_contact_model({})->run({.trials = {&trial, 1}, .outcomes = {&outcome, 1}, .extra = own});
     auto const match = match_restitution(body, {}, {});
     auto const alone = simulate_contact(contact_block(body, match.base, match.pad, {}), trial.excitation);
     EXPECT_EQ(outcome.peak_rotation_rad, alone.peak_rotation_rad);
@@ -121,7 +121,7 @@ TEST(ContactModel, IsCalledForWhereItMatters) {
     auto const body = body_a();
     auto const model = make_contact_model({});
     auto const reason = [&](Footing const& footing, Outcome const* said) -> std::int64_t {
-        auto const call = model->called_for(Trial{&body, &footing, {}, {}, 0}, said);
+        auto const call = model->required_of(Trial{&body, &footing, {}, {}, 0}, said);
         EXPECT_EQ(call.effects, call.reason == no_reason ? 0 : contact);
         return call.reason;
     };
@@ -146,7 +146,7 @@ TEST(ContactModel, IsCalledForWhereItMatters) {
 
     // Where there is friction, contact slips.
     Footing const flat{.base = testing::flat_bed()};
-    EXPECT_EQ(model->called_for(Trial{&body, &flat, Friction{0.5, 0.5}, {}, 0}, nullptr).effects,
+    EXPECT_EQ(model->required_of(Trial{&body, &flat, Friction{0.5, 0.5}, {}, 0}, nullptr).effects,
               contact | mask_of(Effect::sliding));
 
     // On a pad of 1 MPa an impact far below 0.3 alpha crushes: its energy decides.

@@ -100,8 +100,8 @@ TEST(ContactHardCases, TenTimesGravityUpAndDown) {
         EXPECT_EQ(out.failure, FailureReason::none);
         EXPECT_EQ(out.verdict, Verdict::rocked);  // every point parted from the ground
         EXPECT_LT(out.peak_rotation_rad, 1e-6);
-        EXPECT_GT(out.own.peak_contact_force_ratio, 10);
-        EXPECT_GT(out.own.peak_rise_m, 0.1);
+        EXPECT_GT(out.extra.peak_contact_force_ratio, 10);
+        EXPECT_GT(out.extra.peak_rise_m, 0.1);
         EXPECT_EQ(out.min_contact_force_ratio, 0);
     }
 }
@@ -141,15 +141,15 @@ TEST(ContactHardCases, AWeakPadIsCrushed) {
     auto const elastic = run({});
     auto const strong = run(1e12);
     auto const weak = run(1e6);
-    EXPECT_EQ(elastic.own.peak_crush_m, 0);
+    EXPECT_EQ(elastic.extra.peak_crush_m, 0);
     EXPECT_EQ(strong.peak_rotation_rad, elastic.peak_rotation_rad);
-    EXPECT_EQ(strong.own.peak_crush_m, 0);
-    EXPECT_GT(weak.own.peak_crush_m, 1e-3);
-    EXPECT_LT(weak.own.peak_crush_m, 0.1);
+    EXPECT_EQ(strong.extra.peak_crush_m, 0);
+    EXPECT_GT(weak.extra.peak_crush_m, 1e-3);
+    EXPECT_LT(weak.extra.peak_crush_m, 0.1);
     // Damping stands on top of the strength, half of the base's area to a corner.
     double const strength_ratio = 1e6 * (1.36 * 1.36 / 2) / (body_a().mass_kg() * g0);
-    EXPECT_LT(weak.own.peak_contact_force_ratio, strength_ratio * (1 + normal_damping(0.25)));
-    EXPECT_GT(elastic.own.peak_contact_force_ratio, strength_ratio * (1 + normal_damping(0.25)));
+    EXPECT_LT(weak.extra.peak_contact_force_ratio, strength_ratio * (1 + normal_damping(0.25)));
+    EXPECT_GT(elastic.extra.peak_contact_force_ratio, strength_ratio * (1 + normal_damping(0.25)));
 }
 
 // A block at rest that nothing shakes enough is never stepped.

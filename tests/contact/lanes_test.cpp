@@ -19,7 +19,7 @@ using testing::flat_bed;
 
 void expect_same_bits(ContactOutcome const& one, ContactOutcome const& other, std::size_t trial) {
     EXPECT_TRUE(testing::bit_equal<Outcome>(one, other)) << trial;
-    EXPECT_TRUE(testing::bit_equal(one.own, other.own)) << trial;
+    EXPECT_TRUE(testing::bit_equal(one.extra, other.extra)) << trial;
     EXPECT_TRUE(one.crest_rad == other.crest_rad && one.trough_rad == other.trough_rad
                 && one.end_sway_mps == other.end_sway_mps)
         << trial;
@@ -80,7 +80,7 @@ TEST(ContactLanes, GiveWhatEachTrialGivesAlone) {
     for (std::size_t i = 0; i < together.size(); ++i) {
         expect_same_bits(mixture.alone(i), together[i], i);
         ++verdicts.at(static_cast<std::size_t>(together[i].verdict));
-        crushed += together[i].own.peak_crush_m > 0 ? 1 : 0;
+        crushed += together[i].extra.peak_crush_m > 0 ? 1 : 0;
     }
     for (Verdict const verdict : {Verdict::at_rest, Verdict::slid, Verdict::rocked, Verdict::overturned}) {
         EXPECT_GT(verdicts.at(static_cast<std::size_t>(verdict)), 3) << static_cast<int>(verdict);

@@ -33,7 +33,7 @@ TEST(ContactPulse, OneSineOnCornersA) {
     EXPECT_NEAR(fine.peak_rotation_rad, 0.40893, 1e-5);
     EXPECT_NEAR(fine.time_of_peak_s, 1.5837, 1e-4);
     EXPECT_NEAR(fine.residual_slip_m, 0.02199, 1e-5);
-    EXPECT_NEAR(fine.own.peak_contact_force_ratio, 78.17, 1e-2);
+    EXPECT_NEAR(fine.extra.peak_contact_force_ratio, 78.17, 1e-2);
     EXPECT_EQ(fine.verdict, Verdict::rocked);
 }
 

@@ -79,7 +79,7 @@ except ImportError:
 ' "$2" 2>> said.txt
 fi
 slurm=$2/share/overturn/slurm
-. "$slurm/leg.sh"
+. "$slurm/segment.sh"
 [ "$OVERTURN" = "$2/bin/overturn" ]
 END
 hide='mount -t tmpfs none "$3"; exec bash /dev/fd/9 "$1" "$2" "$3" hidden'

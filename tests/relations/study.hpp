@@ -15,7 +15,7 @@
 
 #include "core/field.hpp"
 #include "core/units.hpp"
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 #include "support/campaign_rows.hpp"
 #include "support/campaigns.hpp"
 
@@ -145,7 +145,7 @@ inline double number_at(std::span<std::byte const> row, Field const& field) {
 inline Rows run_text(std::string const& text, std::map<std::string, std::string> const& files) {
     auto const spec = campaign_from(text, files);
     auto const trials = rows_of(spec).trials;
-    Ladder const ladder(spec.effects, spec.accuracy);
+    ModelSelector const selector(spec.effects, spec.accuracy);
     Rows all;
     auto const name = [&](Fields const& fields, std::string const& before) {
         for (auto const& field : fields) {
@@ -154,7 +154,7 @@ inline Rows run_text(std::string const& text, std::map<std::string, std::string>
         }
     };
     name(fields_of<TrialRow>(), "");
-    for (auto const& part : ladder.own_parts()) {
+    for (auto const& part : selector.extra_parts()) {
         name(part.traits->fields, std::string(part.traits->name) + ".");
     }
     for (std::size_t i = 0; i < trials.rows.size(); ++i) {
@@ -162,8 +162,8 @@ inline Rows run_text(std::string const& text, std::map<std::string, std::string>
         for (auto const& field : fields_of<TrialRow>()) {
             row.push_back(number_at(bytes_of(trials.rows[i]), field));
         }
-        auto const own = std::span(trials.own).subspan(i * ladder.own_bytes(), ladder.own_bytes());
-        for (auto const& part : ladder.own_parts()) {
+        auto const own = std::span(trials.extra).subspan(i * selector.extra_bytes(), selector.extra_bytes());
+        for (auto const& part : selector.extra_parts()) {
             for (auto const& field : part.traits->fields) {
                 row.push_back(number_at(own.subspan(part.offset), field));
             }

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 #include "rocking/rocking_models.hpp"
 #include "support/bit_equal.hpp"
 #include "support/long_period_wave.hpp"
@@ -23,8 +23,8 @@ TEST(AutomaticSliding, GivesTheVerdictsAndNumbersOfSlidingForcedOn) {
                           .centre_height_m = height,
                           .inertia_kgm2 = 1000 * (half_width * half_width + height * height) / 3,
                           .restitution = 0.5538});
-    Ladder const automatic({EffectMode::automatic, 0});
-    Ladder const forced({EffectMode::forced, mask_of(Effect::sliding) | mask_of(Effect::vertical)});
+    ModelSelector const automatic({EffectMode::automatic, 0});
+    ModelSelector const forced({EffectMode::forced, mask_of(Effect::sliding) | mask_of(Effect::vertical)});
     std::map<Verdict, int> verdicts;
     int slid = 0;
     for (int number = 0; number < 25; ++number) {
@@ -48,7 +48,7 @@ TEST(AutomaticSliding, GivesTheVerdictsAndNumbersOfSlidingForcedOn) {
                 auto const full = forced.respond({scene, motion, scale});
                 EXPECT_TRUE(testing::bit_equal<Outcome>(chosen, full));
                 EXPECT_EQ(has(static_cast<EffectMask>(chosen.effects), Effect::sliding), full.peak_slip_m > 0);
-                slid += chosen.rung == sliding_traits().number ? 1 : 0;
+                slid += chosen.model == sliding_traits().number ? 1 : 0;
                 ++verdicts[chosen.verdict];
             }
         }

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "contact/contact_model.hpp"
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 #include "support/bit_equal.hpp"
 #include "support/sliding_blocks.hpp"
 
@@ -35,14 +35,14 @@ TEST(ContactCalled, ALostContactGetsAnAnswer) {
     for (int number = 0; number < 6; ++number) {
         auto const wave = motion(number);
         for (double const scale : {2.0, 6.0, 12.0, 18.0, 26.0}) {
-            auto const rigid = Ladder({EffectMode::none, 0}).respond({scene, wave, scale});
-            auto const chosen = Ladder(EffectRequest{}).respond({scene, wave, scale});
+            auto const rigid = ModelSelector({EffectMode::none, 0}).respond({scene, wave, scale});
+            auto const chosen = ModelSelector(EffectRequest{}).respond({scene, wave, scale});
             if (rigid.verdict == Verdict::contact_lost) {
                 ++lost;
                 EXPECT_EQ(name_of_reason(chosen), "contact-lost");
-                EXPECT_EQ(chosen.rung, contact_traits().number);
+                EXPECT_EQ(chosen.model, contact_traits().number);
                 EXPECT_TRUE(entry_of(chosen.verdict).decided);
-                auto const forced = Ladder({EffectMode::forced, contact}).respond({scene, wave, scale});
+                auto const forced = ModelSelector({EffectMode::forced, contact}).respond({scene, wave, scale});
                 EXPECT_TRUE(testing::bit_equal<Outcome>(chosen, forced));
                 EXPECT_EQ(name_of_reason(forced), "stated");
             } else {
@@ -63,14 +63,14 @@ TEST(ContactCalled, ABedOfItsOwnIsAlwaysContactAndSlips) {
     Scene const firm{body, std::nullopt, footing};
     Scene const slippery{body, Friction{0.3, 0.3}, footing};
     auto const wave = motion(1);
-    auto const rocks = Ladder(EffectRequest{}).respond({firm, wave, 9});
-    auto const slides = Ladder(EffectRequest{}).respond({slippery, wave, 9});
+    auto const rocks = ModelSelector(EffectRequest{}).respond({firm, wave, 9});
+    auto const slides = ModelSelector(EffectRequest{}).respond({slippery, wave, 9});
     EXPECT_EQ(name_of_reason(rocks), "bedding");
     EXPECT_EQ(rocks.effects, contact);
     EXPECT_EQ(slides.effects, contact | sliding);
     EXPECT_GT(slides.peak_slip_m, 0.01);
     EXPECT_LT(slides.peak_rotation_ratio, 0.5 * rocks.peak_rotation_ratio);
-    EXPECT_EQ(Ladder(EffectRequest{}).respond({Scene{body, std::nullopt}, wave, 0.5}).rung, 0);
+    EXPECT_EQ(ModelSelector(EffectRequest{}).respond({Scene{body, std::nullopt}, wave, 0.5}).model, 0);
 }
 
 }  // namespace

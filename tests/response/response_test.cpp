@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "body/response_velocity.hpp"
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 #include "rocking/rocking_models.hpp"
 #include "support/bit_equal.hpp"
 #include "support/tolerance.hpp"
@@ -46,7 +46,7 @@ struct Asked {
 Response trial(GroundMotion const& motion, Asked const& asked, double scale) {
     auto const body = slender();
     Scene const scene{.body = body, .friction = asked.friction};
-    return Ladder(asked.effects).respond({scene, motion, scale});
+    return ModelSelector(asked.effects).respond({scene, motion, scale});
 }
 
 double peak_scaled_to(double peak_mps2) { return peak_mps2 / peak_of(wave(false).horizontal_mps2); }
@@ -135,7 +135,7 @@ TEST(Response, BodyAtRestSlidesOnASlipperyFloor) {
     auto const plain = trial(wave(false), {.friction = slippery, .effects = none}, peak_scaled_to(0.2 * g0));
 
     EXPECT_EQ(asked.verdict, Verdict::slid);
-    EXPECT_EQ(asked.rung, sliding_traits().number);
+    EXPECT_EQ(asked.model, sliding_traits().number);
     EXPECT_EQ(asked.effects, mask_of(Effect::sliding));
     EXPECT_GT(asked.peak_slip_m, 0);
     EXPECT_EQ(plain.verdict, Verdict::at_rest);

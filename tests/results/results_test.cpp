@@ -105,8 +105,8 @@ TEST(Columns, EveryVerdictReasonAndRungHasAName) {
     for (std::size_t i = 0; i < failures().size(); ++i) {
         EXPECT_EQ(static_cast<std::size_t>(failures()[i].value), i) << failures()[i].name;
     }
-    for (std::size_t i = 0; i < rungs().size(); ++i) {
-        EXPECT_EQ(rung_place(rungs()[i].value), i);
+    for (std::size_t i = 0; i < model_categories().size(); ++i) {
+        EXPECT_EQ(model_place(model_categories()[i].value), i);
     }
 }
 
@@ -121,7 +121,7 @@ TEST(Columns, ADifferenceIsNamed) {
 
 TrialRow row_of(std::int64_t body, std::int64_t level, Verdict verdict, bool wes_safe, bool ou_safe) {
     TrialRow row;
-    row.rung = verdict == Verdict::at_rest ? 0 : verdict == Verdict::slid ? 2 : 1;
+    row.model = verdict == Verdict::at_rest ? 0 : verdict == Verdict::slid ? 2 : 1;
     row.body = body;
     row.level = level;
     row.verdict = verdict;
@@ -180,7 +180,7 @@ TEST(Statistics, CountWhatTheRowsSay) {
     EXPECT_EQ(ended(Verdict::overturned), (Counts{2, 0}));
     EXPECT_EQ(ended(Verdict::contact_lost), (Counts{0, 1}));
     EXPECT_EQ(ended(Verdict::failed), (Counts{1, 0}));
-    EXPECT_EQ(b.rungs, (Counts{1, 4, 1, 0, 0})) << "the failed one needed none";
+    EXPECT_EQ(b.models, (Counts{1, 4, 1, 0, 0})) << "the failed one needed none";
     EXPECT_EQ(b.v_wes[0].false_safe, 1);
     EXPECT_EQ(b.v_wes[0].true_overturn, 1);
     EXPECT_EQ(b.v_wes[0].true_safe, 1);

@@ -247,7 +247,7 @@ TEST(Lopsided, GoesOnWithSlipWhereFrictionGaveOut) {
 
     int gone_on = 0;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        if (!checkpoints[i].at_hand) {
+        if (!checkpoints[i].reached) {
             continue;
         }
         ++gone_on;

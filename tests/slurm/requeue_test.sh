@@ -21,5 +21,5 @@ before=$(blocks_of c)
 within 60 queue_is_empty || fail "the job does not end"
 
 [ "$(state_of "$job")" = COMPLETED ] || fail "the job ended as $(state_of "$job")"
-grep -q "resuming c.h5: $before of [0-9]* blocks are done" overturn-"$job".log || fail "the second leg did not resume"
+grep -q "resuming c.h5: $before of [0-9]* blocks are done" overturn-"$job".log || fail "the second segment did not resume"
 expect_same c

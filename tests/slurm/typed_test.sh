@@ -32,8 +32,8 @@ for parts in 0 x 3x; do
     [ "$said" = "usage: slurm/array.sbatch PARTS CAMPAIGN.toml FILE.h5 [options of overturn run]" ] || fail "$parts parts: $said"
 done
 said=$(slurm/array.sbatch 3 good.toml good.h5 2>&1) && fail "runs without a program"
-grep -qx "leg: no overturn in PATH, nor built in .*/.build/release. Set OVERTURN in $tree/slurm/site.env" <<<"$said" || fail "$said"
-said=$(SLURM_JOB_ID=7 SLURM_SUBMIT_DIR=$tree bash slurm/campaign.sbatch good.toml 2>&1) && fail "a leg without a program"
+grep -qx "segment: no overturn in PATH, nor built in .*/.build/release. Set OVERTURN in $tree/slurm/site.env" <<<"$said" || fail "$said"
+said=$(SLURM_JOB_ID=7 SLURM_SUBMIT_DIR=$tree bash slurm/campaign.sbatch good.toml 2>&1) && fail "a segment without a program"
 grep -q "Set OVERTURN in" <<<"$said" || fail "$said"
 [ ! -e queued ] || fail "queued without a program: $(cat queued)"
 

@@ -36,8 +36,8 @@ TEST(SpatialGrip, SlidesAgainstThePush) {
     EXPECT_NEAR(std::hypot(dx, dy) / 0.5, 2.058005, 1e-6);
     EXPECT_NEAR(std::hypot(dx, dy) / 0.5, 5 - 0.3 * g0, 1e-8);
     EXPECT_EQ(out.verdict, Verdict::slid);
-    EXPECT_LT(out.own.peak_yaw_rad, 1e-6);  // points that bear less slip first
-    EXPECT_NEAR(out.own.slip_path_m, out.peak_slip_m, 1e-4);
+    EXPECT_LT(out.extra.peak_yaw_rad, 1e-6);  // points that bear less slip first
+    EXPECT_NEAR(out.extra.slip_path_m, out.peak_slip_m, 1e-4);
 }
 
 TEST(SpatialGrip, WithoutFrictionTheGroundLeavesTheBody) {
@@ -95,8 +95,8 @@ TEST(SpatialGrip, CountsWholeTurns) {
         auto const calm = constant(0, 801);
         auto const out = shaken(block, {calm, Shaking::nothing()}, unheld, nullptr,
                                 SpatialStart{.angular_velocity_radps = {0, 0, spin}});
-        EXPECT_NEAR(out.own.yaw_rad, 2 * pi * turns, 0.02 * std::abs(turns) * pi) << turns;
-        EXPECT_NEAR(out.own.peak_yaw_rad, std::abs(out.own.yaw_rad), 1e-3) << turns;
+        EXPECT_NEAR(out.extra.yaw_rad, 2 * pi * turns, 0.02 * std::abs(turns) * pi) << turns;
+        EXPECT_NEAR(out.extra.peak_yaw_rad, std::abs(out.extra.yaw_rad), 1e-3) << turns;
         EXPECT_EQ(out.verdict, Verdict::slid) << turns;
     }
 }
@@ -113,7 +113,7 @@ TEST(SpatialGrip, TenMinutesAtRestDoNotCreep) {
         EXPECT_EQ(late.verdict, Verdict::at_rest);
         EXPECT_NEAR(late.residual_m[0], early.residual_m[0], 1e-12);
         EXPECT_NEAR(late.residual_m[1], early.residual_m[1], 1e-12);
-        EXPECT_NEAR(late.own.yaw_rad, early.own.yaw_rad, 1e-12);
+        EXPECT_NEAR(late.extra.yaw_rad, early.extra.yaw_rad, 1e-12);
         EXPECT_LT(std::hypot(late.end_velocity_mps[0], late.end_velocity_mps[1]), 1e-12);
     }
 }

@@ -96,7 +96,8 @@ TEST(SpatialHardCases, NeedleAndCoinStayFinite) {
                 auto const out = shaken(block, {waves.x, waves.y, 0.01, level});
                 EXPECT_EQ(out.failure, FailureReason::none);
                 EXPECT_TRUE(out.verdict == Verdict::overturned || out.peak_rotation_rad < pi / 2);
-                EXPECT_TRUE(std::isfinite(out.residual_slip_m + out.own.yaw_rad + out.own.peak_contact_force_ratio));
+                EXPECT_TRUE(
+                    std::isfinite(out.residual_slip_m + out.extra.yaw_rad + out.extra.peak_contact_force_ratio));
             }
             auto start = wobbling(block, 0.5 * std::atan2(block.planar.half_width_m, block.planar.centre_height_m), 5);
             auto const history = released(block, start, 3);
@@ -118,8 +119,8 @@ TEST(SpatialHardCases, TenTimesGravityUpAndDown) {
         EXPECT_EQ(out.failure, FailureReason::none);
         EXPECT_EQ(out.verdict, Verdict::rocked);  // every point parted from the ground
         EXPECT_LT(out.peak_rotation_rad, 1e-6);
-        EXPECT_GT(out.own.peak_contact_force_ratio, 10);
-        EXPECT_GT(out.own.peak_rise_m, 0.1);
+        EXPECT_GT(out.extra.peak_contact_force_ratio, 10);
+        EXPECT_GT(out.extra.peak_rise_m, 0.1);
         EXPECT_EQ(out.min_contact_force_ratio, 0);
         EXPECT_FALSE(std::isnan(out.contact_lost_s));
     }
@@ -182,7 +183,7 @@ TEST(SpatialHardCases, LittleInertiaNeedsShortSteps) {
             footing.inertia_vertical_kgm2 = inertia;
             auto const out = shaken(standing(body_a(), footing, 0.8), {waves.x, waves.y, 0.01, 3}, unheld);
             EXPECT_NEAR(out.peak_rotation_rad / plain, 1, 0.05) << share;
-            EXPECT_LT(out.own.peak_yaw_rad, 1e-4) << share;
+            EXPECT_LT(out.extra.peak_yaw_rad, 1e-4) << share;
         }
     }
 }
@@ -203,7 +204,7 @@ TEST(SpatialHardCases, RestCostsNothing) {
     EXPECT_EQ(out.verdict, Verdict::at_rest);
     EXPECT_EQ(out.steps, 0);
     EXPECT_EQ(out.peak_rotation_rad, 0);
-    EXPECT_EQ(out.own.yaw_rad, 0);
+    EXPECT_EQ(out.extra.yaw_rad, 0);
     EXPECT_EQ(shaken(block, {calm, calm, 1e-3}).steps, 0);
     EXPECT_EQ(shaken(block, {Shaking::nothing(), Shaking::nothing(), 1e-3}).verdict, Verdict::at_rest);
     EXPECT_GT(shaken(block, {wave, wave, 1e-3, 2}).steps, 0);

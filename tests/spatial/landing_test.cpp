@@ -57,7 +57,7 @@ TEST(Landing, FromBalanceInSpace) {
                            SpatialStart{.rise_m = b * std::sin(tilt) - h * (1 - std::cos(tilt)),
                                         .rotation_rad = {-tilt * std::sin(azimuth), tilt * std::cos(azimuth), 0}});
                 expect_landing(out, Landing(body));
-                EXPECT_NEAR(std::remainder(out.own.landing_azimuth_rad - azimuth, 2 * pi), 0, 1e-9) << azimuth;
+                EXPECT_NEAR(std::remainder(out.extra.landing_azimuth_rad - azimuth, 2 * pi), 0, 1e-9) << azimuth;
             }
         }
     }
@@ -109,7 +109,7 @@ TEST(Landing, WhatStandsDoesNotLand) {
     EXPECT_NE(out.verdict, Verdict::overturned);
     EXPECT_EQ(out.landing_spin_radps, 0);
     EXPECT_EQ(out.landing_energy_jpkg, 0);
-    EXPECT_TRUE(std::isnan(out.own.landing_azimuth_rad));
+    EXPECT_TRUE(std::isnan(out.extra.landing_azimuth_rad));
 }
 
 // Pushed one way only, a base slides the other way; its circle reaches that much farther, and its top goes along.
@@ -133,13 +133,13 @@ TEST(WhereTheBaseGoes, HasASign) {
             double const h2 = 2 * block.planar.centre_height_m;
             top = std::max(top, std::hypot(instant.x_m + h2 * m[0][2], instant.y_m + h2 * m[1][2]));
         }
-        EXPECT_LT(out.own.residual_x_m, -0.5);
-        EXPECT_NEAR(out.own.residual_y_m / out.own.residual_x_m, -0.75, 1e-6);
-        EXPECT_NEAR(out.own.edge_x_least_m, least - block.reach_m, 1e-3);
-        EXPECT_NEAR(out.own.edge_y_most_m, most + block.reach_m, 1e-3);
-        EXPECT_NEAR(out.own.edge_x_most_m, block.reach_m, 1e-3);
-        EXPECT_NEAR(out.own.edge_y_least_m, -block.reach_m, 1e-3);
-        EXPECT_NEAR(out.own.peak_top_m, top, 1e-3);
+        EXPECT_LT(out.extra.residual_x_m, -0.5);
+        EXPECT_NEAR(out.extra.residual_y_m / out.extra.residual_x_m, -0.75, 1e-6);
+        EXPECT_NEAR(out.extra.edge_x_least_m, least - block.reach_m, 1e-3);
+        EXPECT_NEAR(out.extra.edge_y_most_m, most + block.reach_m, 1e-3);
+        EXPECT_NEAR(out.extra.edge_x_most_m, block.reach_m, 1e-3);
+        EXPECT_NEAR(out.extra.edge_y_least_m, -block.reach_m, 1e-3);
+        EXPECT_NEAR(out.extra.peak_top_m, top, 1e-3);
     }
 }
 

@@ -23,7 +23,7 @@ using testing::square_base;
 
 void expect_same_bits(SpatialOutcome const& one, SpatialOutcome const& other, std::size_t trial) {
     EXPECT_TRUE(testing::bit_equal<Outcome>(one, other)) << trial;
-    EXPECT_TRUE(testing::bit_equal(one.own, other.own)) << trial;
+    EXPECT_TRUE(testing::bit_equal(one.extra, other.extra)) << trial;
     EXPECT_TRUE(one.residual_m == other.residual_m && one.end_velocity_mps == other.end_velocity_mps) << trial;
 }
 
@@ -93,8 +93,8 @@ TEST(SpatialLanes, GiveWhatEachTrialGivesAlone) {
     for (std::size_t i = 0; i < together.size(); ++i) {
         expect_same_bits(mixture.alone(i), together[i], i);
         ++verdicts.at(static_cast<std::size_t>(together[i].verdict));
-        crushed += together[i].own.peak_crush_m > 0 ? 1 : 0;
-        turned += together[i].own.peak_yaw_rad > 0.01 ? 1 : 0;
+        crushed += together[i].extra.peak_crush_m > 0 ? 1 : 0;
+        turned += together[i].extra.peak_yaw_rad > 0.01 ? 1 : 0;
     }
     for (Verdict const verdict : {Verdict::at_rest, Verdict::slid, Verdict::rocked, Verdict::overturned}) {
         EXPECT_GT(verdicts.at(static_cast<std::size_t>(verdict)), 3) << static_cast<int>(verdict);
@@ -178,8 +178,8 @@ TEST(SpatialLanes, AnObserverChangesNothing) {
         if (out.verdict != Verdict::overturned) {
             EXPECT_NEAR(tilt, out.peak_rotation_rad, 1e-12 + 1e-3 * tilt) << i;
             EXPECT_NEAR(slip, out.peak_slip_m, 1e-12 + 1e-3 * slip) << i;
-            EXPECT_NEAR(yaw, out.own.peak_yaw_rad, 1e-12 + 1e-3 * yaw) << i;
-            EXPECT_NEAR(force, out.own.peak_contact_force_ratio, 1e-12) << i;
+            EXPECT_NEAR(yaw, out.extra.peak_yaw_rad, 1e-12 + 1e-3 * yaw) << i;
+            EXPECT_NEAR(force, out.extra.peak_contact_force_ratio, 1e-12) << i;
         }
     }
 }

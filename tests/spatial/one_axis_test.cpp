@@ -95,8 +95,8 @@ TEST(SpatialOneAxis, OutcomesAreThePlanarOnes) {
             EXPECT_NEAR(space.response_velocity_mps, plane.response_velocity_mps, 1e-4) << level;
             EXPECT_NEAR(space.peak_slip_m, plane.peak_slip_m, 1e-11) << level;
             EXPECT_NEAR(space.residual_slip_m, std::abs(plane.residual_slip_m), 1e-11) << level;
-            EXPECT_NEAR(space.own.peak_contact_force_ratio, plane.own.peak_contact_force_ratio, 1e-7) << level;
-            EXPECT_NEAR(space.own.peak_rise_m, plane.own.peak_rise_m, 1e-11) << level;
+            EXPECT_NEAR(space.extra.peak_contact_force_ratio, plane.extra.peak_contact_force_ratio, 1e-7) << level;
+            EXPECT_NEAR(space.extra.peak_rise_m, plane.extra.peak_rise_m, 1e-11) << level;
             EXPECT_EQ(std::isnan(space.contact_lost_s), std::isnan(plane.contact_lost_s)) << level;
             EXPECT_EQ(std::isnan(space.first_uplift_s), std::isnan(plane.first_uplift_s)) << level;
         }
@@ -113,8 +113,8 @@ TEST(SpatialOneAxis, EnergiesOnACrushedPadAreThePlanarOnes) {
         auto const space = simulate_spatial(standing(body_a(), weak, 0.8), by, {.rest_gate = false});
         auto const plane = simulate_contact(
             contact_block(body_a(), weak.base, {.strength_pa = 3e6}, Friction{0.8, 0.8}), by, {.rest_gate = false});
-        EXPECT_GT(space.own.peak_crush_m, 1e-6) << level;
-        EXPECT_NEAR(space.own.peak_crush_m, plane.own.peak_crush_m, 1e-11) << level;
+        EXPECT_GT(space.extra.peak_crush_m, 1e-6) << level;
+        EXPECT_NEAR(space.extra.peak_crush_m, plane.extra.peak_crush_m, 1e-11) << level;
         EXPECT_NEAR(space.peak_energy_ratio, plane.peak_energy_ratio, 1e-9) << level;
     }
 }

@@ -161,17 +161,17 @@ TEST(SpatialRim, KnowsNoDirection) {
             if (!first) {
                 first = out;
                 EXPECT_GT(out.peak_rotation_ratio, 0.1);
-                EXPECT_GT(out.own.slip_path_m, 1e-3);
+                EXPECT_GT(out.extra.slip_path_m, 1e-3);
                 continue;
             }
             EXPECT_NEAR(out.peak_rotation_rad / first->peak_rotation_rad, 1, 1e-9) << degrees;
-            EXPECT_NEAR(out.own.slip_path_m / first->own.slip_path_m, 1, 1e-6) << degrees;
+            EXPECT_NEAR(out.extra.slip_path_m / first->extra.slip_path_m, 1, 1e-6) << degrees;
             EXPECT_NEAR(out.peak_slip_m / first->peak_slip_m, 1, 1e-6) << degrees;
-            EXPECT_NEAR(out.own.peak_yaw_rad, first->own.peak_yaw_rad, 1e-9) << degrees;
+            EXPECT_NEAR(out.extra.peak_yaw_rad, first->extra.peak_yaw_rad, 1e-9) << degrees;
             EXPECT_EQ(out.verdict, first->verdict) << degrees;
         }
         if (second == 0) {
-            EXPECT_LT(first->own.peak_yaw_rad, 1e-12);
+            EXPECT_LT(first->extra.peak_yaw_rad, 1e-12);
         }
     }
 }
@@ -201,7 +201,7 @@ TEST(SpatialRim, SlidesAlongThePush) {
     auto const y = constant(3, 101);
     auto const out = shaken(block, {x, y}, unheld);
     EXPECT_NEAR(out.end_velocity_mps[0] / out.end_velocity_mps[1], 4.0 / 3, 1e-9);
-    EXPECT_LT(out.own.peak_yaw_rad, 1e-12);
+    EXPECT_LT(out.extra.peak_yaw_rad, 1e-12);
 }
 
 // A push below friction, and what is left of a shake: neither creeps.

@@ -35,8 +35,8 @@ TEST(SpatialModel, SaysWhatItIs) {
     EXPECT_EQ(traits.holds, all);
     EXPECT_EQ(traits.always, mask_of(Effect::contact) | spatial);
     EXPECT_EQ(traits.brings(), spatial);
-    EXPECT_TRUE(testing::describe_all(traits.fields, traits.nothing.size()));
-    EXPECT_TRUE(std::isnan(real_at(traits.nothing, field_named(traits.fields, "peak_yaw"))));
+    EXPECT_TRUE(testing::describe_all(traits.fields, traits.default_row.size()));
+    EXPECT_TRUE(std::isnan(real_at(traits.default_row, field_named(traits.fields, "peak_yaw"))));
 }
 
 /// Counts what it is shown.
@@ -96,7 +96,7 @@ TEST(SpatialModel, RunsABatchAsItsTrialsAlone) {
     }
     std::vector<Outcome> outcomes(trials.size());
     std::vector<std::byte> own(trials.size() * sizeof(SpatialQuantities));
-    model->run({.trials = trials, .outcomes = outcomes, .own = own});
+    model->run({.trials = trials, .outcomes = outcomes, .extra = own});
     for (std::size_t i = 0; i < trials.size(); ++i) {
         bool const everything = trials[i].simulated == all;
         auto const block = spatial_block(body, footing, everything ? trials[i].friction : std::nullopt);
@@ -105,11 +105,11 @@ TEST(SpatialModel, RunsABatchAsItsTrialsAlone) {
         auto alone = simulate_spatial(block, shaking);
         alone.called = spatial;
         EXPECT_TRUE(testing::bit_equal<Outcome>(alone, outcomes[i])) << i;
-        alone.own.restitution = emergent_restitution(body, footing.base, footing.pad);
-        alone.own.normal_restitution = 0.25;
+        alone.extra.restitution = emergent_restitution(body, footing.base, footing.pad);
+        alone.extra.normal_restitution = 0.25;
         SpatialQuantities row;
         std::memcpy(&row, own.data() + i * sizeof(row), sizeof(row));
-        EXPECT_TRUE(testing::bit_equal(alone.own, row)) << i;
+        EXPECT_TRUE(testing::bit_equal(alone.extra, row)) << i;
     }
 }
 
@@ -148,7 +148,7 @@ TEST(SpatialModel, IsCalledForWhereNoPlaneHolds) {
                            .vertical_mps2 = up,
                            .time_step_s = 0.01,
                            .scale = -2}};
-        auto const call = make_spatial_model({})->called_for(trial, nullptr);
+        auto const call = make_spatial_model({})->required_of(trial, nullptr);
         EXPECT_EQ(call.effects == 0, call.reason == no_reason);
         EXPECT_EQ(has(call.effects, Effect::sliding), call.effects != 0 && friction.has_value());
         return has(call.effects, Effect::spatial) && has(call.effects, Effect::contact);

@@ -16,7 +16,7 @@ namespace overturn::testing {
         append(all.waves, rows.waves);
         append(all.measures, rows.measures);
         append(all.trials.rows, rows.trials.rows);
-        append(all.trials.own, rows.trials.own);
+        append(all.trials.extra, rows.trials.extra);
     }
     return all;
 }

@@ -51,7 +51,7 @@ bool KnownRows::take(std::size_t place, TrialRow& open, std::span<std::byte> own
     row.body = open.body;
     row.level = open.level;
     open = row;
-    std::ranges::copy(std::span(known_->trials.own).subspan(place * own.size(), own.size()), own.begin());
+    std::ranges::copy(std::span(known_->trials.extra).subspan(place * own.size(), own.size()), own.begin());
     return true;
 }
 

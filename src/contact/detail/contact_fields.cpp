@@ -110,9 +110,9 @@ void ContactRun::fill_peaks(ContactOutcome& out) const {
     out.peak_slip_m = get(ContactField::most_slip);
     out.residual_slip_m = slip_m();
     out.end_sway_mps = get(ContactField::sway_speed);
-    out.own.peak_crush_m = deepest_crush();
-    out.own.peak_contact_force_ratio = std::max(1.0, get(ContactField::most_force) / g);
-    out.own.peak_rise_m = get(ContactField::most_rise) + planar_.settlement_m();
+    out.extra.peak_crush_m = deepest_crush();
+    out.extra.peak_contact_force_ratio = std::max(1.0, get(ContactField::most_force) / g);
+    out.extra.peak_rise_m = get(ContactField::most_rise) + planar_.settlement_m();
 }
 
 // As it is at the end of the first step beyond pi/2.

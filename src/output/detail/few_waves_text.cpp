@@ -38,7 +38,7 @@ std::string few_waves_text(CampaignSpec const& spec, std::span<TrialRow const> t
     if (trials.empty()) {
         return {};
     }
-    LimitJudge const judge(spec.limits, Ladder(spec.effects, spec.accuracy));
+    LimitJudge const judge(spec.limits, ModelSelector(spec.effects, spec.accuracy));
     std::size_t record = 6, body = 4;
     for (auto const& row : trials) {
         record = std::max(record, spec.source->name(row.wave).size());
@@ -59,7 +59,7 @@ std::string few_waves_text(CampaignSpec const& spec, std::span<TrialRow const> t
                             record, of.name, body, spec.levels.text(row.amplitude), entry_of(row.verdict).name,
                             of.friction ? number_or_dash(millimetres * row.peak_slip_m) : "-",
                             entry_of(row.verdict).fell ? "fell" : number_or_dash(row.peak_rotation_rad * 180 / pi),
-                            row.rung == unknown_category ? "unknown" : rungs()[rung_place(row.rung)].name,
+                            row.model == unknown_category ? "unknown" : model_categories()[model_place(row.model)].name,
                             limits ? "  " + nearest_limit(spec, judge, row) : std::string());
     }
     return text;

@@ -8,7 +8,7 @@ namespace overturn::rocking {
 
 /// Where a trial stood before the step in which friction gave out. Up to there slip changes no bit.
 struct Checkpoint {
-    bool at_hand = false;  ///< else friction did not give out, or only after the wave
+    bool reached = false;  ///< else friction did not give out, or only after the wave
     RockingOutcome so_far;
     double energy = 0;  ///< its peak, over m g R of the weaker corner
     State state;
@@ -25,7 +25,7 @@ void simulate_until_slip(std::span<RockingTrial const> trials, RockingAccuracy c
                          std::span<RockingOutcome> outcomes, std::span<rocking::Checkpoint> checkpoints);
 
 /// The rest of a trial with slip: bit-equal to Slip::simulated from the start, but for its energies, which count from
-/// the checkpoint on. \pre checkpoint.at_hand, and the trial is the one that stopped there
+/// the checkpoint on. \pre checkpoint.reached, and the trial is the one that stopped there
 [[nodiscard]] RockingOutcome resume_sliding(RockingTrial const& trial, RockingAccuracy const& accuracy,
                                             rocking::Checkpoint const& checkpoint);
 

@@ -82,7 +82,7 @@ void step_with_checkpoint(RockingRun& run) {
     }
     run.checkpoint = {true, run.log.outcome(), run.log.energy_at_weaker(), run.state, run.progress, run.sample.tau_s};
     step(run);
-    run.checkpoint.at_hand = run.log.outcome().slip_onset;
+    run.checkpoint.reached = run.log.outcome().slip_onset;
 }
 
 // Whether no later peak can be higher, as impacts only take energy: e^2 of it at most is left after each.

@@ -80,11 +80,11 @@ BlockRows UnfinishedRows::rows(std::int64_t first, std::int64_t count) const {
         auto const rows = BlockRows::unpack(shards_.read(blocks_[number]), plan(), waves);
         auto const from = first - firsts_[number];
         auto const taken = std::min(count, waves - from);
-        auto const of_trials = trials * plan().own_bytes();
+        auto const of_trials = trials * plan().extra_bytes();
         copy_rows(rows.waves, from, taken, all.waves);
         copy_rows(rows.measures, from * plan().bodies(), taken * plan().bodies(), all.measures);
         copy_rows(rows.trials.rows, from * trials, taken * trials, all.trials.rows);
-        copy_rows(rows.trials.own, from * of_trials, taken * of_trials, all.trials.own);
+        copy_rows(rows.trials.extra, from * of_trials, taken * of_trials, all.trials.extra);
         first += taken;
         count -= taken;
     }
@@ -204,7 +204,7 @@ std::optional<std::size_t> KeptRows::trial_in(Source const& source, std::int64_t
 // Waves that lie in an earlier campaign as they do in this one.
 void KeptRows::append(BlockRows& block, std::int64_t first_wave, Found const& from, std::int64_t count) const {
     auto const& plan = from.source->rows->plan();
-    auto const own = plan_.own_bytes();
+    auto const own = plan_.extra_bytes();
     auto const rows = from.source->rows->rows(from.place, count);
     block.waves.insert(block.waves.end(), rows.waves.begin(), rows.waves.end());
     for (std::int64_t w = 0; w < count; ++w) {
@@ -216,7 +216,7 @@ void KeptRows::append(BlockRows& block, std::int64_t first_wave, Found const& fr
                 block.trials.rows.push_back(rows.trials.rows[place]);
                 block.trials.rows.back().body = b;
                 block.trials.rows.back().level = plan_.first_level(first_wave + w) + l;
-                copy_rows(rows.trials.own, place * own, own, block.trials.own);
+                copy_rows(rows.trials.extra, place * own, own, block.trials.extra);
             }
         }
     }
@@ -237,7 +237,7 @@ KeptRows::Read const& KeptRows::read(Found const& from) const {
 
 void KeptRows::put(KnownWave& known, std::int64_t wave, Found const& from) const {
     auto const& plan = from.source->rows->plan();
-    auto const own = plan_.own_bytes();
+    auto const own = plan_.extra_bytes();
     auto const& there = read(from);
     auto const first = (from.place - there.first) * plan.trials_per_wave();
     known.row = there.rows.waves[from.place - there.first];
@@ -249,7 +249,7 @@ void KeptRows::put(KnownWave& known, std::int64_t wave, Found const& from) const
         known.known[t] = true;
         auto const row = first + static_cast<std::int64_t>(*place);
         known.trials.rows[t] = there.rows.trials.rows[row];
-        std::copy_n(there.rows.trials.own.begin() + (row * own), own, known.trials.own.begin() + (t * own));
+        std::copy_n(there.rows.trials.extra.begin() + (row * own), own, known.trials.extra.begin() + (t * own));
     }
 }
 
@@ -261,7 +261,7 @@ std::optional<KnownWave> KeptRows::of(std::int64_t wave) const {
             if (!known) {
                 known.emplace(
                     KnownWave{{},
-                              {std::vector<TrialRow>(trials), std::vector<std::byte>(trials * plan_.own_bytes())},
+                              {std::vector<TrialRow>(trials), std::vector<std::byte>(trials * plan_.extra_bytes())},
                               std::vector<bool>(trials)});
             }
             put(*known, wave, {&source, *place});

@@ -47,7 +47,7 @@ class Worker {
             auto const begin = Clock::now();
             auto const blocks = next_blocks();
             auto rows = run_blocks(
-                what_.spec, what_.plan, blocks, seconds_, [&] { return goes_on(); }, what_.known);
+                what_.spec, what_.plan, blocks, seconds_, [&] { return keep_running(); }, what_.known);
             stopped_ = !rows;
             for (std::size_t i = 0; i < blocks.size() && !stopped_; ++i) {
                 computed_.push_back({blocks[i], (*rows)[i].pack()});
@@ -103,7 +103,7 @@ class Worker {
         reported_ = Clock::now();
     }
 
-    [[nodiscard]] bool goes_on() const {
+    [[nodiscard]] bool keep_running() const {
         if (comm_.is_root()) {
             comm_.serve();
         }

@@ -145,19 +145,19 @@ void SpatialRun::fill_peaks(SpatialOutcome& out) const {
     out.residual_slip_m = std::hypot(out.residual_m[0] - lifted * r[2], out.residual_m[1] - lifted * r[5]);
     out.peak_slip_m = std::sqrt(get(State::most_slip));
     out.end_velocity_mps = {get(State::vx), get(State::vy), get(State::vz)};
-    out.own = {.peak_crush_m = deepest_crush(),
-               .peak_contact_force_ratio = std::max(1.0, get(State::most_force) / g),
-               .peak_rise_m = get(State::most_rise) + planar_.settlement_m(),
-               .yaw_rad = instant().yaw_rad,
-               .peak_yaw_rad = yaw_of(get(State::most_yaw)),
-               .slip_path_m = get(State::slip_path),
-               .residual_x_m = out.residual_m[0],
-               .residual_y_m = out.residual_m[1],
-               .edge_x_most_m = get(State::most_x),
-               .edge_x_least_m = get(State::least_x),
-               .edge_y_most_m = get(State::most_y),
-               .edge_y_least_m = get(State::least_y),
-               .peak_top_m = std::sqrt(get(State::most_top))};
+    out.extra = {.peak_crush_m = deepest_crush(),
+                 .peak_contact_force_ratio = std::max(1.0, get(State::most_force) / g),
+                 .peak_rise_m = get(State::most_rise) + planar_.settlement_m(),
+                 .yaw_rad = instant().yaw_rad,
+                 .peak_yaw_rad = yaw_of(get(State::most_yaw)),
+                 .slip_path_m = get(State::slip_path),
+                 .residual_x_m = out.residual_m[0],
+                 .residual_y_m = out.residual_m[1],
+                 .edge_x_most_m = get(State::most_x),
+                 .edge_x_least_m = get(State::least_x),
+                 .edge_y_most_m = get(State::most_y),
+                 .edge_y_least_m = get(State::least_y),
+                 .peak_top_m = std::sqrt(get(State::most_top))};
 }
 
 // As it is at the end of the first step beyond pi/2.
@@ -180,7 +180,7 @@ void SpatialRun::fill_landing(SpatialOutcome& out) const {
     out.landing_velocity_mps = std::sqrt(velocity);
     out.landing_top_mps = std::sqrt(top);
     out.landing_energy_jpkg = energy;
-    out.own.landing_azimuth_rad = std::atan2(r[5], r[2]);
+    out.extra.landing_azimuth_rad = std::atan2(r[5], r[2]);
 }
 
 void SpatialRun::fill_verdict(SpatialOutcome& out) const {

@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib import colormaps
 
-RUNG_COLOURS = [PALE, SKY, ORANGE, PURPLE, GREEN, BLUE]  # the first is rest
+MODEL_COLOURS = [PALE, SKY, ORANGE, PURPLE, GREEN, BLUE]  # the first is rest
 ENDS = {"at-rest": PALE, "slid": ORANGE, "rocked": SKY, "slid-and-rocked": SKY, "overturned": VERMILION, "contact-lost": PURPLE, "failed": INK}
 LEAST_SLIP = 1e-4  # [m] that anyone asks about
 MOST_STEPS = 400  # of a distribution function: finer than print
@@ -113,13 +113,13 @@ def shares(axes, results, body, title, parts):
 
 
 def ends(results, body, path):
-    """How the trials of each level ended, and the rung of the ladder they needed."""
+    """How the trials of each level ended, and the model that they needed."""
     style.use()
     figure, (left, right) = plt.subplots(1, 2, figsize=(5.8, 2.8), sharey=True, layout="constrained")
     shares(left, results, body, "verdicts",
            [(name, which, ENDS.get(name, GREEN)) for name, which in body.kinds("verdict")])
     shares(right, results, body, "simulated up to",
-           [(name, which, RUNG_COLOURS[n % len(RUNG_COLOURS)]) for n, (name, which) in enumerate(body.kinds("rung"))])
+           [(name, which, MODEL_COLOURS[n % len(MODEL_COLOURS)]) for n, (name, which) in enumerate(body.kinds("rung"))])
     for axes in (left, right):
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=2)
     left.set_ylabel("share of trials")

@@ -1,4 +1,4 @@
-# One leg of a campaign: as much of it as this job's time allows. Sourced by the batch scripts here.
+# One segment of a campaign: as much of it as this job's time allows. Sourced by the batch scripts here.
 # shellcheck shell=bash
 
 # What the site says, from beside this file: copy site.env.example to site.env.
@@ -11,11 +11,11 @@ if [ -z "${OVERTURN:-}" ]; then
         break
     done
     if [ -z "${OVERTURN:-}" ]; then
-        echo "leg: no overturn in PATH, nor built in $(dirname "$slurm")/.build/release. Set OVERTURN in $slurm/site.env" >&2
+        echo "segment: no overturn in PATH, nor built in $(dirname "$slurm")/.build/release. Set OVERTURN in $slurm/site.env" >&2
         return 2
     fi
 fi
-: "${OVERTURN_LAUNCH:=mpirun}" "${OVERTURN_MOST_LEGS:=100}"
+: "${OVERTURN_LAUNCH:=mpirun}" "${OVERTURN_MOST_SEGMENTS:=100}"
 
 # planned CAMPAIGN [options of overturn run]: is it a campaign? Said here at once, not by every task after its wait.
 planned() {
@@ -41,8 +41,8 @@ tell() {
     kill "-$1" "$pid" 2>/dev/null
 }
 
-# leg ARGUMENTS OF run... : 0 the work is complete, 3 the job has been put back into the queue, else what run returned.
-leg() {
+# segment ARGUMENTS OF run... : 0 the work is complete, 3 the job has been put back into the queue, else what run returned.
+segment() {
     local pid='' code told='' begun=$SECONDS
     trap 'told=USR1; tell USR1' USR1  # from --signal: finish the blocks in hand
     trap 'told=TERM; tell TERM' TERM  # preempted: leave within a second
@@ -53,11 +53,11 @@ leg() {
         wait $pid; code=$?
     done
     trap - USR1 TERM
-    # What is told while the launcher itself starts can kill it: nothing is lost, so the next leg goes on.
+    # What is told while the launcher itself starts can kill it: nothing is lost, so the next segment goes on.
     [ "$told" != USR1 ] || [ $code -le 128 ] || code=3
     [ $code -eq 3 ] || return $code
-    if [ "${SLURM_RESTART_COUNT:-0}" -ge "$OVERTURN_MOST_LEGS" ]; then
-        echo "leg: still not complete after $OVERTURN_MOST_LEGS legs (is the time limit shorter than a block?). Raise it" >&2
+    if [ "${SLURM_RESTART_COUNT:-0}" -ge "$OVERTURN_MOST_SEGMENTS" ]; then
+        echo "segment: still not complete after $OVERTURN_MOST_SEGMENTS segments (is the time limit shorter than a block?). Raise it" >&2
         return 3
     fi
     scontrol requeue "$SLURM_JOB_ID"

@@ -20,7 +20,7 @@ inline constexpr std::int64_t stated_reason = 1;
 inline constexpr std::int64_t left_out_reason = 100;
 
 /// Effects that a model finds acting on a trial.
-struct Call {
+struct Requirement {
     EffectMask effects = 0;
     std::int64_t reason = 0;  ///< one of the model's own; 0: its first
 };

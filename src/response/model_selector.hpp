@@ -37,15 +37,15 @@ struct SceneTrial {
     ChunkExtremes const* chunks = nullptr;                       ///< of the motion, if at hand
 };
 
-/// Trials that ended on a rung, and the seconds they took on their way to it. Trials run side by side: the time of a
+/// Trials that ended on a model, and the seconds they took on their way to it. Trials run side by side: the time of a
 /// model is shared out evenly among those that it ran.
-struct RungCost {
+struct ModelCost {
     std::int64_t trials = 0;
     double seconds = 0;
 };
 
 /// Where a model's own quantities lie in the record of a trial.
-struct OwnPart {
+struct ExtraPart {
     ModelTraits const* traits = nullptr;
     std::size_t offset = 0;  ///< of its row [bytes]
 };
@@ -55,18 +55,18 @@ struct OwnPart {
 /// one holds all that is called for and wanted. Where effects are forced, that is the first one. Where no model holds
 /// together all that is called for, the effects of dearer models are left out: Outcome::called has them and
 /// Response::effects lacks them, and the reason is `left_out_reason`.
-class Ladder {
+class ModelSelector {
   public:
     /// \throws InputError if effects are forced that no model holds together
-    explicit Ladder(EffectRequest const& request, Accuracy const& accuracy = {},
-                    std::span<ModelEntry const> entries = models());
+    explicit ModelSelector(EffectRequest const& request, Accuracy const& accuracy = {},
+                           std::span<ModelEntry const> entries = models());
 
     /// Many trials from rest, those of a model side by side: responses[i] and its record are those of trials[i] alone,
-    /// bit for bit. \param own records of own_bytes() each, or empty \return what every rung took, in the order of
-    /// rungs()
-    [[nodiscard]] std::vector<RungCost> respond(std::span<SceneTrial const> trials, std::span<Response> responses,
-                                                std::span<std::byte> own = {}) const;
-    [[nodiscard]] Response respond(SceneTrial const& trial, std::span<std::byte> own = {}) const;
+    /// bit for bit. \param extra records of extra_bytes() each, or empty \return what every model took, in the order of
+    /// model_categories()
+    [[nodiscard]] std::vector<ModelCost> respond(std::span<SceneTrial const> trials, std::span<Response> responses,
+                                                 std::span<std::byte> extra = {}) const;
+    [[nodiscard]] Response respond(SceneTrial const& trial, std::span<std::byte> extra = {}) const;
 
     /// Shows the history of a trial on the model that gave `response`; of one that no model ran, its channels alone.
     void show(SceneTrial const& trial, Response const& response, Observer& observer) const;
@@ -77,18 +77,18 @@ class Ladder {
     [[nodiscard]] EffectMask impossible(Scene const& scene) const;
 
     /// Of models that may run here and have quantities of their own.
-    [[nodiscard]] std::vector<OwnPart> const& own_parts() const { return own_parts_; }
-    [[nodiscard]] std::size_t own_bytes() const { return own_bytes_; }
-    /// Records of trials that no model has run: they say nothing. \param own as many as it holds
-    void put_nothing(std::span<std::byte> own) const;
+    [[nodiscard]] std::vector<ExtraPart> const& extra_parts() const { return extra_parts_; }
+    [[nodiscard]] std::size_t extra_bytes() const { return extra_bytes_; }
+    /// Records of trials that no model has run: they say nothing. \param extra as many as it holds
+    void put_defaults(std::span<std::byte> extra) const;
 
   private:
     struct TrialState;
     [[nodiscard]] TrialState begin(SceneTrial const& at) const;
     [[nodiscard]] std::size_t cheapest(EffectMask needed) const;
-    [[nodiscard]] EffectMask held_with(EffectMask simulated, EffectMask more) const;
+    [[nodiscard]] EffectMask supported_with(EffectMask simulated, EffectMask more) const;
     struct Ended;
-    void run(std::size_t model, std::size_t from, std::vector<TrialState>& states, std::span<std::byte> own,
+    void run(std::size_t model, std::size_t from, std::vector<TrialState>& states, std::span<std::byte> extra,
              Ended& ended) const;
     void go_on(std::size_t model, TrialState& state) const;
     [[nodiscard]] EffectMask left_out(TrialState const& state) const;
@@ -97,8 +97,8 @@ class Ladder {
 
     EffectRequest request_;
     std::vector<std::unique_ptr<Model>> models_;
-    std::vector<OwnPart> own_parts_;
-    std::size_t own_bytes_ = 0;
+    std::vector<ExtraPart> extra_parts_;
+    std::size_t extra_bytes_ = 0;
 };
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-/// Down from where failure is common to where it is rare, a fit of the pulses at every rung.
+/// Down from where failure is common to where it is rare, a fit of the pulses at every stage.
 #pragma once
 
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace overturn::rare {
 
-class PulseLadder {
+class PulseDescent {
   public:
-    PulseLadder(Problem const& problem, Request const& request, Workforce& workers, PulseOptions const& options);
+    PulseDescent(Problem const& problem, Request const& request, Workforce& workers, PulseOptions const& options);
 
     /// Pilot runs of all replicates from `from` to `to` and the refits there. Stops where hits die out.
     void descend(double from, double to);

@@ -1,6 +1,6 @@
 // Requirement R-504: which model a trial needs follows from the effects that it calls for and that models hold; trials
 // of many at once are those that each is alone, with their models' own quantities.
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 
 #include <array>
 
@@ -45,14 +45,14 @@ template <EffectMask Holds> ModelTraits const& crush_traits() {
                                     .effects = effects,
                                     .verdicts = verdicts,
                                     .fields = fields_of<CrushRow>(),
-                                    .nothing = nothing_of<CrushRow>()};
+                                    .default_row = default_row_of<CrushRow>()};
     return traits;
 }
 
 template <EffectMask Holds> class Crush : public Model {
   public:
     [[nodiscard]] ModelTraits const& traits() const override { return crush_traits<Holds>(); }
-    [[nodiscard]] Call called_for(Trial const& /*trial*/, Outcome const* said) const override {
+    [[nodiscard]] Requirement required_of(Trial const& /*trial*/, Outcome const* said) const override {
         bool const rocks = said != nullptr && said->verdict != Verdict::failed && said->peak_rotation_ratio > 0.3;
         return {rocks ? mask_of(crushing) : 0};
     }
@@ -60,8 +60,8 @@ template <EffectMask Holds> class Crush : public Model {
         for (std::size_t i = 0; i < batch.trials.size(); ++i) {
             batch.outcomes[i].verdict = crushed;
             CrushRow const row{batch.trials[i].excitation.scale, static_cast<std::int64_t>(batch.places.size())};
-            if (!batch.own.empty()) {
-                std::ranges::copy(bytes_of(row), batch.own.begin() + static_cast<std::ptrdiff_t>(i * sizeof row));
+            if (!batch.extra.empty()) {
+                std::ranges::copy(bytes_of(row), batch.extra.begin() + static_cast<std::ptrdiff_t>(i * sizeof row));
             }
         }
         return nullptr;
@@ -76,7 +76,7 @@ template <EffectMask Holds> ModelEntry crush_entry() {
 // The same, called for by every body from the start.
 class Tied : public Crush<mask_of(Effect::vertical) | mask_of(Effect::sliding) | mask_of(crushing)> {
   public:
-    [[nodiscard]] Call called_for(Trial const& /*trial*/, Outcome const* /*said*/) const override {
+    [[nodiscard]] Requirement required_of(Trial const& /*trial*/, Outcome const* /*said*/) const override {
         return {mask_of(crushing)};
     }
 };
@@ -91,14 +91,14 @@ constexpr EffectMask all = planar | mask_of(crushing);
 constexpr EffectMask without_sliding = mask_of(Effect::vertical) | mask_of(crushing);
 
 // As in the program, were there no other models.
-Ladder without_crush() {
+ModelSelector without_crush() {
     static std::array const entries{models()[0], models()[1]};
-    return Ladder(EffectRequest{}, {}, entries);
+    return ModelSelector(EffectRequest{}, {}, entries);
 }
 
-template <EffectMask Holds> Ladder with_crush(EffectRequest const& request = {}) {
+template <EffectMask Holds> ModelSelector with_crush(EffectRequest const& request = {}) {
     static std::array const entries{models()[0], models()[1], crush_entry<Holds>()};
-    return Ladder(request, {}, entries);
+    return ModelSelector(request, {}, entries);
 }
 
 RigidBody const body({.mass_kg = 1000,
@@ -143,67 +143,67 @@ class Many {
 
 struct Answers {
     std::vector<Response> responses;
-    std::vector<std::byte> own;
-    std::vector<RungCost> costs;
+    std::vector<std::byte> extra;
+    std::vector<ModelCost> costs;
 };
 
-Answers answers_of(Ladder const& ladder, std::span<SceneTrial const> trials) {
+Answers answers_of(ModelSelector const& selector, std::span<SceneTrial const> trials) {
     Answers answers{
-        std::vector<Response>(trials.size()), std::vector<std::byte>(trials.size() * ladder.own_bytes()), {}};
-    answers.costs = ladder.respond(trials, answers.responses, answers.own);
+        std::vector<Response>(trials.size()), std::vector<std::byte>(trials.size() * selector.extra_bytes()), {}};
+    answers.costs = selector.respond(trials, answers.responses, answers.extra);
     return answers;
 }
 
 CrushRow row_at(Answers const& answers, std::size_t i) {
     CrushRow row;
-    std::memcpy(&row, answers.own.data() + i * sizeof row, sizeof row);
+    std::memcpy(&row, answers.extra.data() + i * sizeof row, sizeof row);
     return row;
 }
 
 // R-1002: A trial that goes on from where friction gave out goes on from its own place, wherever it stood in the batch.
-TEST(Ladder, TrialsOfManyAreThoseOfEachAlone) {
+TEST(ModelSelector, TrialsOfManyAreThoseOfEachAlone) {
     Many const many;
-    for (auto const& ladder : {Ladder(EffectRequest{}), with_crush<all>()}) {
+    for (auto const& selector : {ModelSelector(EffectRequest{}), with_crush<all>()}) {
         auto const& trials = many.trials();
-        auto const together = answers_of(ladder, trials);
+        auto const together = answers_of(selector, trials);
         std::vector<SceneTrial> backwards;
         for (auto i = trials.size(); i-- > 0;) {
             backwards.push_back(trials[i]);
         }
-        auto const reversed = answers_of(ladder, backwards);
+        auto const reversed = answers_of(selector, backwards);
         std::int64_t sliding = 0;
         for (std::size_t i = 0; i < trials.size(); ++i) {
-            std::vector<std::byte> own(ladder.own_bytes());
-            auto const alone = ladder.respond(trials[i], own);
+            std::vector<std::byte> own(selector.extra_bytes());
+            auto const alone = selector.respond(trials[i], own);
             EXPECT_TRUE(testing::bit_equal(together.responses[i], alone)) << i;
             EXPECT_TRUE(testing::bit_equal(reversed.responses[trials.size() - 1 - i], alone)) << i;
-            sliding += together.responses[i].rung == sliding_traits().number ? 1 : 0;
+            sliding += together.responses[i].model == sliding_traits().number ? 1 : 0;
         }
         EXPECT_GT(sliding, 30);
         EXPECT_LT(sliding, 200);
     }
 }
 
-TEST(Ladder, SlipThatWasCalledForIsSaidEvenWhereNothingMovesInTheEnd) {
+TEST(ModelSelector, SlipThatWasCalledForIsSaidEvenWhereNothingMovesInTheEnd) {
     Many const many;
-    auto const chosen = answers_of(Ladder(EffectRequest{}), many.trials());
-    auto const forced = answers_of(Ladder({EffectMode::forced, planar}), many.trials());
+    auto const chosen = answers_of(ModelSelector(EffectRequest{}), many.trials());
+    auto const forced = answers_of(ModelSelector({EffectMode::forced, planar}), many.trials());
     for (std::size_t i = 0; i < many.trials().size(); ++i) {
         bool const slid = forced.responses[i].peak_slip_m > 0;
         auto const said = [&](Answers const& a) {
             return has(static_cast<EffectMask>(a.responses[i].called), Effect::sliding);
         };
         EXPECT_EQ(said(forced), slid) << i;
-        EXPECT_EQ(said(chosen), chosen.responses[i].rung == sliding_traits().number) << i;
+        EXPECT_EQ(said(chosen), chosen.responses[i].model == sliding_traits().number) << i;
         EXPECT_TRUE(said(chosen) || !slid) << i;
     }
 }
 
-TEST(Ladder, GoesOnToAModelThatHoldsAllThatIsCalledFor) {
+TEST(ModelSelector, GoesOnToAModelThatHoldsAllThatIsCalledFor) {
     Many const many;
     auto const plain = answers_of(without_crush(), many.trials());
-    auto const ladder = with_crush<all>();
-    auto const answers = answers_of(ladder, many.trials());
+    auto const selector = with_crush<all>();
+    auto const answers = answers_of(selector, many.trials());
     std::array<int, 2> seen{};
     for (std::size_t i = 0; i < many.trials().size(); ++i) {
         auto const& before = plain.responses[i];
@@ -211,7 +211,7 @@ TEST(Ladder, GoesOnToAModelThatHoldsAllThatIsCalledFor) {
         bool const called = before.peak_rotation_ratio > 0.3;
         ++seen[called ? 1 : 0];
         EXPECT_EQ(after.verdict == crushed, called) << i;
-        EXPECT_EQ(after.rung == 9, called) << i;
+        EXPECT_EQ(after.model == 9, called) << i;
         auto const row = row_at(answers, i);
         if (called) {
             EXPECT_EQ(row.depth_m, many.trials()[i].scale) << i;
@@ -227,7 +227,7 @@ TEST(Ladder, GoesOnToAModelThatHoldsAllThatIsCalledFor) {
 }
 
 // A model that cannot slide never takes a trial that slips; the slip stays, and what is left out is said.
-TEST(Ladder, LeavesOutWhatNoModelHoldsTogether) {
+TEST(ModelSelector, LeavesOutWhatNoModelHoldsTogether) {
     Many const many;
     auto const plain = answers_of(without_crush(), many.trials());
     auto const answers = answers_of(with_crush<without_sliding>(), many.trials());
@@ -256,7 +256,7 @@ TEST(Ladder, LeavesOutWhatNoModelHoldsTogether) {
 }
 
 // A body on a bed of its own, and something else of it that the model of beds does not hold: said before anything runs.
-TEST(Ladder, SaysWhatASceneCallsForAndNoModelHoldsTogether) {
+TEST(ModelSelector, SaysWhatASceneCallsForAndNoModelHoldsTogether) {
     static std::array const entries{models()[0], models()[1], tied_entry(), models()[2]};
     Footing flat;
     flat.base.corner_share.reset();
@@ -266,27 +266,28 @@ TEST(Ladder, SaysWhatASceneCallsForAndNoModelHoldsTogether) {
     auto const& motion = many.trials()[1].motion;
     Scene const on_bed{body, std::nullopt, flat};
     Scene const plain{body, std::nullopt};
-    Ladder const chooses(EffectRequest{}, {}, entries);
+    ModelSelector const chooses(EffectRequest{}, {}, entries);
     EXPECT_EQ(chooses.left_out({on_bed, motion, 5}), mask_of(Effect::contact));
     EXPECT_EQ(chooses.left_out({plain, motion, 5}), 0U);
     auto const answer = chooses.respond({on_bed, motion, 5});
     EXPECT_EQ(answer.reason, left_out_reason);
-    EXPECT_EQ(answer.rung, 9) << "the cheaper model's effect is kept";
+    EXPECT_EQ(answer.model, 9) << "the cheaper model's effect is kept";
     EXPECT_TRUE(has(static_cast<EffectMask>(answer.called), Effect::contact));
     EXPECT_FALSE(has(static_cast<EffectMask>(answer.effects), Effect::contact));
-    EXPECT_EQ(Ladder(EffectRequest{}).left_out({on_bed, motion, 5}), 0U) << "the program's own models hold theirs";
+    EXPECT_EQ(ModelSelector(EffectRequest{}).left_out({on_bed, motion, 5}), 0U)
+        << "the program's own models hold theirs";
     auto const together = mask_of(crushing) | mask_of(Effect::contact);
     testing::expect_input_error(
         [&] {
-            (void)Ladder({EffectMode::forced, together}, {}, entries);
+            (void)ModelSelector({EffectMode::forced, together}, {}, entries);
         },
         "no model holds them together");
 }
 
 // An effect that is forced on a body that cannot have it is no effect.
-TEST(Ladder, SaysWhichForcedEffectsABodyCannotHave) {
+TEST(ModelSelector, SaysWhichForcedEffectsABodyCannotHave) {
     auto const impossible = [](EffectMask forced, RigidBody const& of, std::optional<Friction> friction) {
-        return Ladder({EffectMode::forced, forced}).impossible({of, friction});
+        return ModelSelector({EffectMode::forced, forced}).impossible({of, friction});
     };
     auto const contact = mask_of(Effect::contact);
     RigidBody const reed({.mass_kg = 1000,
@@ -298,33 +299,33 @@ TEST(Ladder, SaysWhichForcedEffectsABodyCannotHave) {
     EXPECT_EQ(impossible(mask_of(Effect::sliding) | contact, body, Friction{0.5, 0.4}), 0U);
     EXPECT_EQ(impossible(contact, reed, std::nullopt), contact) << "the usual pad does not hold it upright";
     EXPECT_EQ(impossible(mask_of(Effect::vertical), reed, std::nullopt), 0U) << "a matter of the wave";
-    EXPECT_EQ(Ladder(EffectRequest{}).impossible({reed, std::nullopt}), 0U);
+    EXPECT_EQ(ModelSelector(EffectRequest{}).impossible({reed, std::nullopt}), 0U);
 }
 
-TEST(Ladder, CountsTrialsAndSecondsOnTheRungsThatTheyEndedOn) {
+TEST(ModelSelector, CountsTrialsAndSecondsOnTheRungsThatTheyEndedOn) {
     Many const many;
     auto const answers = answers_of(with_crush<all>(), many.trials());
     std::array<std::int64_t, 4> trials{};
     for (auto const& response : answers.responses) {
-        ++trials[response.rung == 9 ? 3 : static_cast<std::size_t>(response.rung)];
+        ++trials[response.model == 9 ? 3 : static_cast<std::size_t>(response.model)];
     }
     ASSERT_EQ(answers.costs.size(), trials.size());
-    for (std::size_t rung = 0; rung < trials.size(); ++rung) {
-        EXPECT_EQ(answers.costs[rung].trials, trials[rung]) << rung;
-        EXPECT_GT(trials[rung], 0) << rung;
-        EXPECT_GT(answers.costs[rung].seconds, 0) << rung;
+    for (std::size_t model = 0; model < trials.size(); ++model) {
+        EXPECT_EQ(answers.costs[model].trials, trials[model]) << model;
+        EXPECT_GT(trials[model], 0) << model;
+        EXPECT_GT(answers.costs[model].seconds, 0) << model;
     }
 }
 
 // R-1104.
-TEST(Ladder, AVerticalComponentBeyondAllBoundsHasNoVerdictEither) {
+TEST(ModelSelector, AVerticalComponentBeyondAllBoundsHasNoVerdictEither) {
     GroundMotion motion{.time_step_s = 0.02,
                         .horizontal_mps2 = testing::short_wave(1),
                         .transverse_mps2 = {},
                         .vertical_mps2 = std::vector<double>(1001, 1e9)};
     Scene const scene{body, std::nullopt};
-    EXPECT_EQ(Ladder(EffectRequest{}).respond({scene, motion, 1}).failure, FailureReason::out_of_range);
-    EXPECT_EQ(Ladder({EffectMode::none, 0}).respond({scene, motion, 1}).failure, FailureReason::none)
+    EXPECT_EQ(ModelSelector(EffectRequest{}).respond({scene, motion, 1}).failure, FailureReason::out_of_range);
+    EXPECT_EQ(ModelSelector({EffectMode::none, 0}).respond({scene, motion, 1}).failure, FailureReason::none)
         << "what is left out does no harm";
 }
 
@@ -340,14 +341,14 @@ struct Shown : Observer {
     double largest_slip = 0;
 };
 
-TEST(Ladder, ShowsTheModelThatAnswered) {
+TEST(ModelSelector, ShowsTheModelThatAnswered) {
     Many const many;
-    auto const ladder = without_crush();
+    auto const selector = without_crush();
     int slid = 0;
     for (std::size_t i = 0; i < 60; ++i) {
-        auto const response = ladder.respond(many.trials()[i]);
+        auto const response = selector.respond(many.trials()[i]);
         Shown shown;
-        ladder.show(many.trials()[i], response, shown);
+        selector.show(many.trials()[i], response, shown);
         EXPECT_EQ(shown.width, 7U);
         EXPECT_GT(shown.instants, 0U) << i;
         EXPECT_LE(shown.largest_slip, response.peak_slip_m) << i;
@@ -357,7 +358,7 @@ TEST(Ladder, ShowsTheModelThatAnswered) {
     EXPECT_GT(slid, 5);
     Shown nothing;
     auto const failed = SceneTrial{many.trials()[0].scene, many.trials()[0].motion, 1e12};
-    ladder.show(failed, ladder.respond(failed), nothing);
+    selector.show(failed, selector.respond(failed), nothing);
     EXPECT_EQ(nothing.width, 7U);
     EXPECT_EQ(nothing.instants, 0U);
 }
@@ -375,8 +376,8 @@ TEST(Registry, NumbersBitsAndNamesAreEachTheirOwn) {
         EXPECT_EQ(bits & traits.brings(), 0U) << traits.name << " brings what another one brings";
         bits |= traits.brings();
         effects_seen += traits.effects.size();
-        EXPECT_EQ(traits.fields.empty(), traits.nothing.empty());
-        EXPECT_TRUE(traits.fields.empty() || testing::describe_all(traits.fields, traits.nothing.size()))
+        EXPECT_EQ(traits.fields.empty(), traits.default_row.empty());
+        EXPECT_TRUE(traits.fields.empty() || testing::describe_all(traits.fields, traits.default_row.size()))
             << traits.name;
     }
     EXPECT_EQ(effects().size(), effects_seen);

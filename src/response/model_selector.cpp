@@ -1,4 +1,4 @@
-#include "response/ladder.hpp"
+#include "response/model_selector.hpp"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ class Stopwatch {
 }  // namespace
 
 // Where a trial stands between the models: what it may need, what has been called for, and which model takes it next.
-struct Ladder::TrialState {
+struct ModelSelector::TrialState {
     Trial trial;
     EffectMask possible = 0, called = 0;
     Outcome outcome;
@@ -39,7 +39,7 @@ struct Ladder::TrialState {
     std::uint64_t ran = 0;                            ///< a bit for each model that followed it
     std::array<std::int64_t, most_models> reasons{};  ///< of each: why it was called for first; none: not yet
 
-    void call(std::size_t model, Call const& more) {
+    void call(std::size_t model, Requirement const& more) {
         called |= more.effects;
         if (more.effects != 0 && reasons[model] == no_reason) {
             reasons[model] = more.reason;
@@ -51,19 +51,20 @@ struct Ladder::TrialState {
 };
 
 // What the batches left behind, contiguous.
-struct Ladder::Ended {
+struct ModelSelector::Ended {
     std::vector<std::unique_ptr<Checkpoints>> batches;
 };
 
-Ladder::Ladder(EffectRequest const& request, Accuracy const& accuracy, std::span<ModelEntry const> entries)
+ModelSelector::ModelSelector(EffectRequest const& request, Accuracy const& accuracy,
+                             std::span<ModelEntry const> entries)
     : request_(request) {
     for (auto const& entry : entries) {
         models_.push_back(entry.make(accuracy));
         auto const& traits = models_.back()->traits();
         bool const may_run = models_.size() == 1 || (traits.brings() & request.wanted()) != 0;
         if (may_run && !traits.fields.empty()) {
-            own_parts_.push_back({&traits, own_bytes_});
-            own_bytes_ += traits.nothing.size();
+            extra_parts_.push_back({&traits, extra_bytes_});
+            extra_bytes_ += traits.default_row.size();
         }
     }
     OVERTURN_EXPECT(models_.size() <= most_models);
@@ -71,14 +72,14 @@ Ladder::Ladder(EffectRequest const& request, Accuracy const& accuracy, std::span
              "effects {} (no model holds them together). Leave one out", text_of(request));
 }
 
-std::size_t Ladder::cheapest(EffectMask needed) const {
+std::size_t ModelSelector::cheapest(EffectMask needed) const {
     auto const found =
         std::ranges::find_if(models_, [&](auto const& model) { return holds_all(model->traits().holds, needed); });
     return found == models_.end() ? none : static_cast<std::size_t>(found - models_.begin());
 }
 
 // `simulated` and as many of `more`, in the models' order, as some model holds together.
-EffectMask Ladder::held_with(EffectMask simulated, EffectMask more) const {
+EffectMask ModelSelector::supported_with(EffectMask simulated, EffectMask more) const {
     for (auto const& model : models_) {
         for (auto const& effect : model->traits().effects) {
             auto const with = simulated | (more & mask_of(effect.value));
@@ -88,7 +89,7 @@ EffectMask Ladder::held_with(EffectMask simulated, EffectMask more) const {
     return simulated;
 }
 
-Ladder::TrialState Ladder::begin(SceneTrial const& at) const {
+ModelSelector::TrialState ModelSelector::begin(SceneTrial const& at) const {
     TrialState state;
     auto& trial = state.trial;
     trial.body = &at.scene.body;
@@ -107,11 +108,11 @@ Ladder::TrialState Ladder::begin(SceneTrial const& at) const {
     }
     for (std::size_t model = 0; model < models_.size(); ++model) {
         state.possible |= models_[model]->possible(trial);
-        state.call(model, models_[model]->called_for(trial, nullptr));
+        state.call(model, models_[model]->required_of(trial, nullptr));
     }
     bool const chooses = request_.mode == EffectMode::automatic;
-    trial.simulated =
-        held_with(0, state.possible & request_.wanted() & (chooses ? state.called | request_.include : ~EffectMask{0}));
+    trial.simulated = supported_with(
+        0, state.possible & request_.wanted() & (chooses ? state.called | request_.include : ~EffectMask{0}));
     if (out_of_range(trial.excitation, trial.simulated)) {
         state.outcome = unknown_outcome(FailureReason::out_of_range);
     } else {
@@ -121,26 +122,26 @@ Ladder::TrialState Ladder::begin(SceneTrial const& at) const {
 }
 
 // What the model's answer calls for, and who takes the trial over.
-void Ladder::go_on(std::size_t model, TrialState& state) const {
+void ModelSelector::go_on(std::size_t model, TrialState& state) const {
     state.last = model;
     state.next = none;
     state.ran |= state.followed() ? std::uint64_t{1} << model : 0;
     state.called |= static_cast<EffectMask>(state.outcome.called);
     for (auto dearer = model + 1; dearer < models_.size(); ++dearer) {
-        state.call(dearer, models_[dearer]->called_for(state.trial, &state.outcome));
+        state.call(dearer, models_[dearer]->required_of(state.trial, &state.outcome));
     }
     if (request_.mode != EffectMode::automatic) {
         return;
     }
-    state.trial.simulated = held_with(state.trial.simulated, state.called & state.possible);
+    state.trial.simulated = supported_with(state.trial.simulated, state.called & state.possible);
     if (!holds_all(models_[model]->traits().holds, state.trial.simulated)) {
         state.next = cheapest(state.trial.simulated);
     }
 }
 
 // All trials that the model gets from one batch of another (or from none), at once.
-void Ladder::run(std::size_t model, std::size_t from, std::vector<TrialState>& states, std::span<std::byte> own,
-                 Ended& ended) const {
+void ModelSelector::run(std::size_t model, std::size_t from, std::vector<TrialState>& states,
+                        std::span<std::byte> extra, Ended& ended) const {
     auto const& traits = models_[model]->traits();
     bool const chooses = request_.mode == EffectMode::automatic;
     std::vector<std::size_t> which;
@@ -151,7 +152,7 @@ void Ladder::run(std::size_t model, std::size_t from, std::vector<TrialState>& s
         auto& state = states[i];
         if (state.next == model && state.batch == from) {
             auto const simulated = state.trial.simulated;
-            state.trial.taken_over = chooses ? held_with(simulated, state.possible) & ~traits.holds : 0;
+            state.trial.handled_later = chooses ? supported_with(simulated, state.possible) & ~traits.holds : 0;
             which.push_back(i);
             places.push_back(state.place);
             trials.push_back(state.trial);
@@ -161,12 +162,12 @@ void Ladder::run(std::size_t model, std::size_t from, std::vector<TrialState>& s
     if (trials.empty()) {
         return;
     }
-    auto const part = std::ranges::find(own_parts_, &traits, &OwnPart::traits);
-    auto const row_bytes = own.empty() || part == own_parts_.end() ? 0 : traits.nothing.size();
+    auto const part = std::ranges::find(extra_parts_, &traits, &ExtraPart::traits);
+    auto const row_bytes = extra.empty() || part == extra_parts_.end() ? 0 : traits.default_row.size();
     std::vector<std::byte> rows(trials.size() * row_bytes);
     auto const* const before = from == none ? nullptr : ended.batches[from].get();
-    ended.batches.push_back(
-        models_[model]->run({.trials = trials, .outcomes = outcomes, .own = rows, .before = before, .places = places}));
+    ended.batches.push_back(models_[model]->run(
+        {.trials = trials, .outcomes = outcomes, .extra = rows, .before = before, .places = places}));
     for (std::size_t i = 0; i < which.size(); ++i) {
         auto& state = states[which[i]];
         state.outcome = outcomes[i];
@@ -174,21 +175,21 @@ void Ladder::run(std::size_t model, std::size_t from, std::vector<TrialState>& s
         state.place = i;
         go_on(model, state);
         if (row_bytes > 0) {
-            std::memcpy(own.data() + which[i] * own_bytes_ + part->offset, rows.data() + i * row_bytes, row_bytes);
+            std::memcpy(extra.data() + which[i] * extra_bytes_ + part->offset, rows.data() + i * row_bytes, row_bytes);
         }
     }
 }
 
 // What was chosen, is possible, and is held by no model beside what was simulated.
-EffectMask Ladder::left_out(TrialState const& state) const {
+EffectMask ModelSelector::left_out(TrialState const& state) const {
     return request_.mode == EffectMode::automatic
                ? (state.called | request_.include) & state.possible & ~state.trial.simulated
                : 0;
 }
 
-EffectMask Ladder::left_out(SceneTrial const& trial) const { return left_out(begin(trial)); }
+EffectMask ModelSelector::left_out(SceneTrial const& trial) const { return left_out(begin(trial)); }
 
-EffectMask Ladder::impossible(Scene const& scene) const {
+EffectMask ModelSelector::impossible(Scene const& scene) const {
     GroundMotion const of_all{
         .time_step_s = 1, .horizontal_mps2 = {0, 0}, .transverse_mps2 = {0, 0}, .vertical_mps2 = {0, 0}};
     Scene const shaken{scene.body, scene.friction, scene.footing};
@@ -196,7 +197,7 @@ EffectMask Ladder::impossible(Scene const& scene) const {
 }
 
 // Why the trial ended on its model.
-std::int64_t Ladder::reason_of(TrialState const& state) const {
+std::int64_t ModelSelector::reason_of(TrialState const& state) const {
     if (request_.mode != EffectMode::automatic) {
         return stated_reason;
     }
@@ -205,39 +206,39 @@ std::int64_t Ladder::reason_of(TrialState const& state) const {
         return left_out_reason;
     }
     auto const& reasons = traits.reasons;
-    auto const own = state.reasons[state.last];
-    if (own == no_reason && (traits.brings() & request_.include) != 0) {
+    auto const reason = state.reasons[state.last];
+    if (reason == no_reason && (traits.brings() & request_.include) != 0) {
         return stated_reason;
     }
-    return state.last == 0 ? no_reason : own == no_reason && !reasons.empty() ? reasons.front().number : own;
+    return state.last == 0 ? no_reason : reason == no_reason && !reasons.empty() ? reasons.front().number : reason;
 }
 
-Response Ladder::conclude(TrialState const& state) const {
+Response ModelSelector::conclude(TrialState const& state) const {
     Response response;
     static_cast<Outcome&>(response) = state.outcome;
     response.called = state.called;
     if (state.last != none) {
         auto const& traits = models_[state.last]->traits();
         response.effects = state.trial.simulated | traits.always;
-        response.rung = state.followed() ? traits.number : 0;
+        response.model = state.followed() ? traits.number : 0;
         response.reason = reason_of(state);
     }
     return response;
 }
 
-void Ladder::put_nothing(std::span<std::byte> own) const {
-    for (std::size_t at = 0; at < own.size(); at += own_bytes_) {
-        for (auto const& [traits, offset] : own_parts_) {
-            std::ranges::copy(traits->nothing, own.begin() + (at + offset));
+void ModelSelector::put_defaults(std::span<std::byte> extra) const {
+    for (std::size_t at = 0; at < extra.size(); at += extra_bytes_) {
+        for (auto const& [traits, offset] : extra_parts_) {
+            std::ranges::copy(traits->default_row, extra.begin() + (at + offset));
         }
     }
 }
 
-std::vector<RungCost> Ladder::respond(std::span<SceneTrial const> trials, std::span<Response> responses,
-                                      std::span<std::byte> own) const {
+std::vector<ModelCost> ModelSelector::respond(std::span<SceneTrial const> trials, std::span<Response> responses,
+                                              std::span<std::byte> extra) const {
     OVERTURN_EXPECT(responses.size() == trials.size());
-    OVERTURN_EXPECT(own.empty() || own.size() == trials.size() * own_bytes_);
-    put_nothing(own);
+    OVERTURN_EXPECT(extra.empty() || extra.size() == trials.size() * extra_bytes_);
+    put_defaults(extra);
     Stopwatch watch;
     std::vector<TrialState> states;
     states.reserve(trials.size());
@@ -247,9 +248,9 @@ std::vector<RungCost> Ladder::respond(std::span<SceneTrial const> trials, std::s
     std::vector<double> seconds{watch.lap()};  // of beginning, then of each model
     Ended ended;
     for (std::size_t model = 0; model < models_.size(); ++model) {
-        run(model, none, states, own, ended);
+        run(model, none, states, extra, ended);
         for (std::size_t from = 0, before = ended.batches.size(); from < before; ++from) {
-            run(model, from, states, own, ended);
+            run(model, from, states, extra, ended);
         }
         seconds.push_back(watch.lap());
     }
@@ -260,7 +261,7 @@ std::vector<RungCost> Ladder::respond(std::span<SceneTrial const> trials, std::s
             on[model] += static_cast<std::int64_t>(states[i].ran >> model & 1U);
         }
     }
-    std::vector<RungCost> costs(models_.size() + 1);
+    std::vector<ModelCost> costs(models_.size() + 1);
     for (auto const& state : states) {
         auto& cost = costs[state.followed() ? state.last + 1 : 0];
         ++cost.trials;
@@ -274,15 +275,15 @@ std::vector<RungCost> Ladder::respond(std::span<SceneTrial const> trials, std::s
     return costs;
 }
 
-Response Ladder::respond(SceneTrial const& trial, std::span<std::byte> own) const {
+Response ModelSelector::respond(SceneTrial const& trial, std::span<std::byte> extra) const {
     Response response;
-    (void)respond(std::span(&trial, 1), std::span(&response, 1), own);
+    (void)respond(std::span(&trial, 1), std::span(&response, 1), extra);
     return response;
 }
 
-void Ladder::show(SceneTrial const& trial, Response const& response, Observer& observer) const {
+void ModelSelector::show(SceneTrial const& trial, Response const& response, Observer& observer) const {
     auto state = begin(trial);
-    auto const is_its = [&](auto const& model) { return model->traits().number == response.rung; };
+    auto const is_its = [&](auto const& model) { return model->traits().number == response.model; };
     auto const answered = std::ranges::find_if(models_, is_its);
     auto const& model = answered != models_.end() ? *answered : models_.front();
     observer.begin(model->traits().channels);

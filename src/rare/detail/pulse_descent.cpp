@@ -1,4 +1,4 @@
-#include "rare/detail/pulse_ladder.hpp"
+#include "rare/detail/pulse_descent.hpp"
 
 #include <algorithm>
 #include <cstring>
@@ -58,8 +58,8 @@ bool draw_from(Mixture const& mixture, DrawKey const& key, std::span<double> nor
     return !mixture.shift(normals, choice);
 }
 
-PulseLadder::PulseLadder(Problem const& problem, Request const& request, Workforce& workers,
-                         PulseOptions const& options)
+PulseDescent::PulseDescent(Problem const& problem, Request const& request, Workforce& workers,
+                           PulseOptions const& options)
     : problem_(problem), request_(request), workers_(workers), options_(options), frame_(problem.frame().value()) {
     std::size_t const replicates = request.replicates;
     stages_.resize(replicates);
@@ -67,7 +67,7 @@ PulseLadder::PulseLadder(Problem const& problem, Request const& request, Workfor
 }
 
 // Rows of trials of a stage, from the one of that number on.
-void PulseLadder::respond(MixtureStage const& stage, std::int64_t first, std::span<WeightedRow> rows) const {
+void PulseDescent::respond(MixtureStage const& stage, std::int64_t first, std::span<WeightedRow> rows) const {
     auto const draw = [&](std::size_t i, std::span<double> normals) {
         auto key = stage.key;
         key.index = static_cast<std::uint64_t>(first) + i;
@@ -82,7 +82,7 @@ void PulseLadder::respond(MixtureStage const& stage, std::int64_t first, std::sp
     });
 }
 
-void PulseLadder::run(std::string const& name, std::int64_t first, std::int64_t count) {
+void PulseDescent::run(std::string const& name, std::int64_t first, std::int64_t count) {
     auto const rows = workers_.map<WeightedRow>(
         {.name = name, .items = count * request_.replicates}, [&](std::int64_t from, std::span<WeightedRow> out) {
             while (!out.empty()) {  // what is left of a replicate: its factors are its own
@@ -101,35 +101,35 @@ void PulseLadder::run(std::string const& name, std::int64_t first, std::int64_t 
     runs_ += count * request_.replicates;
 }
 
-void PulseLadder::pilot(double factor) {
+void PulseDescent::pilot(double factor) {
     spent_ = spent_ || runs_ + options_.pilot_runs * request_.replicates > request_.max_runs;
     if (spent_) {
         return;
     }
-    auto const rung = stages_.front().size();
+    auto const stage = stages_.front().size();
     for (std::size_t r = 0; r < stages_.size(); ++r) {
         stages_[r].push_back({.key = {.seed = request_.seed,
                                       .problem = request_.problem,
                                       .replicate = r,
                                       .phase = Phase::pilot,
-                                      .level = rung},
+                                      .level = stage},
                               .factors = {factor},
                               .mixture = mixtures_[r],
                               .rows = {}});
     }
-    run(fmt::format("pilot-{}", rung), 0, options_.pilot_runs);
+    run(fmt::format("pilot-{}", stage), 0, options_.pilot_runs);
     constexpr std::int64_t fewest = 20;  // to group into pulses
     for (auto const& stages : stages_) {
         auto const failed = failures_of(stages.back());
         broken_ = broken_ || failed < fewest;
-        if (rung > 0) {
+        if (stage > 0) {
             poorest_hits_ =
                 std::min(poorest_hits_, static_cast<double>(failed) / static_cast<double>(options_.pilot_runs));
         }
     }
 }
 
-Mixture PulseLadder::fitted(std::vector<MixtureStage> const& stages, std::size_t pooled) const {
+Mixture PulseDescent::fitted(std::vector<MixtureStage> const& stages, std::size_t pooled) const {
     std::vector<FailedWave> waves;
     std::vector<double> normals(problem_.normals());
     for (auto const& stage : std::span(stages).last(pooled)) {
@@ -151,7 +151,7 @@ Mixture PulseLadder::fitted(std::vector<MixtureStage> const& stages, std::size_t
     return fit_pulses(frame_, waves, options_.fit);
 }
 
-void PulseLadder::fit(std::size_t pooled, double strengthened) {
+void PulseDescent::fit(std::size_t pooled, double strengthened) {
     auto const numbers = numbers_of(frame_, options_.fit.pulses);
     Stage const stage{.name = fmt::format("fit-{}", stages_.front().size() - 1),
                       .items = request_.replicates,
@@ -169,7 +169,7 @@ void PulseLadder::fit(std::size_t pooled, double strengthened) {
     }
 }
 
-void PulseLadder::descend(double from, double to) {
+void PulseDescent::descend(double from, double to) {
     if (options_.fit.pulses == 0) {
         return;
     }
@@ -189,7 +189,7 @@ void PulseLadder::descend(double from, double to) {
     }
 }
 
-void PulseLadder::finish(std::span<double const> factors, std::int64_t runs_each) {
+void PulseDescent::finish(std::span<double const> factors, std::int64_t runs_each) {
     auto const begun = !stages_.front().empty() && stages_.front().back().key.phase == Phase::final;
     for (std::size_t r = 0; !begun && r < stages_.size(); ++r) {
         stages_[r].push_back(
