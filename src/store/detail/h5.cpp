@@ -110,8 +110,11 @@ void write_attribute(hid_t where, std::string const& name, double value) {
 std::string read_text_attribute(hid_t where, std::string const& name) {
     Attribute const attribute(checked(H5Aopen(where, name.c_str(), H5P_DEFAULT), "open attribute " + name));
     Datatype const type(checked(H5Aget_type(attribute.id()), "read the type of attribute " + name));
-    if (H5Tis_variable_str(type.id()) > 0) {
-        auto const memory = text_on_the_heap();
+    bool const on_the_heap = H5Tis_variable_str(type.id()) > 0;
+    auto const memory = on_the_heap ? text_on_the_heap() : fixed_text(H5Tget_size(type.id()));
+    // Other writers call the same bytes ASCII, which HDF5 does not turn into UTF-8.
+    checked(H5Tset_cset(memory.id(), H5Tget_cset(type.id())), "set a text type's characters");
+    if (on_the_heap) {
         char* start = nullptr;
         checked(H5Aread(attribute.id(), memory.id(), static_cast<void*>(&start)), "read attribute " + name);
         std::string text = start == nullptr ? "" : start;
@@ -119,7 +122,6 @@ std::string read_text_attribute(hid_t where, std::string const& name) {
         return text;
     }
     std::string text(H5Tget_size(type.id()), '\0');
-    auto const memory = fixed_text(text.size());
     checked(H5Aread(attribute.id(), memory.id(), text.data()), "read attribute " + name);
     text.resize(text.find_last_not_of('\0') + 1);
     return text;
