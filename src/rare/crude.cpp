@@ -71,12 +71,8 @@ std::vector<Count> count_failures(Problem const& problem, std::span<double const
                 key.index = static_cast<std::uint64_t>(first + from) + i;
                 draw_normals(key, normals);
             };
-            answer_items(problem, out.size(), factors, draw, [&](std::size_t i, std::span<Answer const> answers) {
-                for (std::size_t f = 0; f < factors.size(); ++f) {
-                    out[i].failed |= static_cast<std::uint64_t>(answers[f].failed) << f;
-                    out[i].undecided |= static_cast<std::uint64_t>(answers[f].undecided && !answers[f].failed) << f;
-                }
-            });
+            answer_items(problem, out.size(), factors, draw,
+                         [&](std::size_t i, std::span<Answer const> answers) { set_bits(out[i], answers); });
         });
     std::vector<Count> counts(factors.size());
     for (auto const& row : rows) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,14 @@ void answer_items(Problem const& problem, std::size_t count, std::span<double co
         for (std::size_t i = 0; i < now; ++i) {
             take(first + i, std::span<Answer const>(given).subspan(i * factors.size(), factors.size()));
         }
+    }
+}
+
+/// Sets bit f of a row's `failed` and `undecided` by its answer at the f-th factor.
+template <class Row> void set_bits(Row& row, std::span<Answer const> answers) {
+    for (std::size_t f = 0; f < answers.size(); ++f) {
+        row.failed |= static_cast<std::uint64_t>(answers[f].failed) << f;
+        row.undecided |= static_cast<std::uint64_t>(answers[f].undecided && !answers[f].failed) << f;
     }
 }
 

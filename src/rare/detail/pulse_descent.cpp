@@ -74,12 +74,8 @@ void PulseDescent::respond(MixtureStage const& stage, std::int64_t first, std::s
         rows[i].plain = draw_from(stage.mixture, key, normals) ? 1 : 0;
         rows[i].weight = stage.mixture.weight(normals);
     };
-    answer_items(problem_, rows.size(), stage.factors, draw, [&](std::size_t i, std::span<Answer const> answers) {
-        for (std::size_t f = 0; f < answers.size(); ++f) {
-            rows[i].failed |= static_cast<std::uint64_t>(answers[f].failed) << f;
-            rows[i].undecided |= static_cast<std::uint64_t>(answers[f].undecided && !answers[f].failed) << f;
-        }
-    });
+    answer_items(problem_, rows.size(), stage.factors, draw,
+                 [&](std::size_t i, std::span<Answer const> answers) { set_bits(rows[i], answers); });
 }
 
 void PulseDescent::run(std::string const& name, std::int64_t first, std::int64_t count) {
