@@ -171,6 +171,12 @@ std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, Ground
                                         stated.missing));
         }
     }
+    if (has(effects.include, Effect::vertical) && (body.axes < 3 || motion.vertical_mps2.empty())) {
+        lines.push_back(fmt::format(
+            "{}: the ground does not move vertically ({}). State a vertical component, or leave vertical out of "
+            "effects",
+            body.name, body.axes < 3 ? fmt::format("axes = {}", body.axes) : "the wave has no vertical component"));
+    }
     return lines;
 }
 

@@ -108,6 +108,10 @@ TEST(EffectsTold, BasesAndComponentsThatStatedEffectsLeaveOutAreTold) {
     EXPECT_TRUE(warnings_of_stated_effects(body, motion, parse_effects("vertical,spatial")).empty());
     body.axes = 1;
     EXPECT_TRUE(warnings_of_stated_effects(body, motion, parse_effects("none")).empty()) << "shaken along one axis";
+    EXPECT_TRUE(told(warnings_of_stated_effects(body, motion, parse_effects("vertical")), "vertically (axes = 1)"));
+    body.axes = 3;
+    GroundMotion const level{.time_step_s = 0.01, .horizontal_mps2 = wave, .transverse_mps2 = {}, .vertical_mps2 = {}};
+    EXPECT_TRUE(told(warnings_of_stated_effects(body, level, parse_effects("vertical")), "no vertical component"));
 }
 
 TEST(EffectsTold, ForcedEffectsThatABodyCannotHaveAreRefusedWithTheirPlace) {
