@@ -2,6 +2,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -107,44 +108,18 @@ int list_columns(ListOptions const& options) {
     return done;
 }
 
-int list(ListOptions const& options) {
-    validate(
-        options.what.empty() || options.what == "assumptions" || options.what == "keys" || options.what == "columns",
-        "list '{}' (unknown). Say assumptions, keys, columns FILE.h5, or nothing: everything else", options.what);
-    if (options.what == "columns") {
-        return list_columns(options);
-    }
-    validate(!options.unverified.wished, "--unverified (of columns of files alone). Leave it out");
-    if (options.what == "keys") {
-        return list_keys(options);
-    }
-    validate(options.named.empty(), "'{}' (one argument too many). See overturn list --help",
-             options.named.empty() ? "" : options.named.front());
-    validate(!options.schema && !options.markdown,
-             "--schema and --markdown (of keys alone, or columns). Say overturn list keys");
-    validate(!options.json || !options.what.empty(),
-             "--json (of keys and assumptions alone). Say overturn list assumptions "
-             "--json");
-    if (!options.what.empty()) {
-        fmt::print("{}", options.json ? model_assumptions_json().dump(2) + "\n" : model_assumptions_text());
-        return done;
-    }
-    print_entries("wave sources (waves.source)", wave_sources());
-    print_entries("target spectra (waves.target.spectrum)", named_targets());
-    print_entries("damping rules (waves.target.damping_rule)", damping_rules());
-    print_entries("envelopes (waves.envelope.shape)", envelope_shapes());
-    print_entries("acceptance rules (waves.acceptance)", acceptance_rules());
-    print_entries("record formats", record_formats());
-    print_entries("effects (effects.include)", effects());
-    print_entries("level measures (levels.measure)", level_measures());
+void print_limits() {
     fmt::print("limit states (limits.quantity)\n");
     for (auto const& quantity : limit_quantities()) {
         auto const units = quantity.units == "1" ? std::string() : fmt::format(" [{}]", quantity.units);
         auto const calls = quantity.of_every_model || quantity.needs == 0
                                ? std::string()
-                               : fmt::format("; calls for {} in every trial", names_of_effects(quantity.needs));
+                               : fmt::format("; requires {} in every trial", names_of_effects(quantity.needs));
         fmt::print("  {:<24} {}{}{}\n", quantity.name, quantity.description, units, calls);
     }
+}
+
+void print_quantities() {
     fmt::print("measures stored per trial\n");
     for (auto const& column : fields_of<TrialRow>()) {
         print_column(column.name, column);
@@ -154,9 +129,72 @@ int list(ListOptions const& options) {
             print_column(fmt::format("{}/{}", model.traits().name, column.name), column);
         }
     }
-    fmt::print(
-        "what a campaign may state: overturn list keys; what the model assumes: overturn list assumptions; all columns "
-        "of a results file: overturn list columns FILE.h5\n");
+}
+
+// What `list` prints, in this order; each can be asked for by its name.
+struct Section {
+    std::string_view name;
+    void (*print)();
+};
+
+constexpr auto sections = std::to_array<Section>(
+    {{"sources", [] { print_entries("wave sources (waves.source)", wave_sources()); }},
+     {"targets", [] { print_entries("target spectra (waves.target.spectrum)", named_targets()); }},
+     {"damping-rules", [] { print_entries("damping rules (waves.target.damping_rule)", damping_rules()); }},
+     {"envelopes", [] { print_entries("envelopes (waves.envelope.shape)", envelope_shapes()); }},
+     {"acceptance", [] { print_entries("acceptance rules (waves.acceptance)", acceptance_rules()); }},
+     {"formats", [] { print_entries("record formats", record_formats()); }},
+     {"effects", [] { print_entries("effects (effects.include)", effects()); }},
+     {"measures", [] { print_entries("level measures (levels.measure)", level_measures()); }},
+     {"limits", &print_limits},
+     {"trial", &print_quantities}});
+
+std::string section_names() {
+    std::string names;
+    for (auto const& section : sections) {
+        names += fmt::format("{}{}", names.empty() ? "" : ", ", section.name);
+    }
+    return names;
+}
+
+// All sections, or the one that is named.
+void print_sections(std::string_view what) {
+    for (auto const& section : sections) {
+        if (what.empty() || what == section.name) {
+            section.print();
+        }
+    }
+    if (what.empty()) {
+        fmt::print(
+            "what a campaign may state: overturn list keys; what the model assumes: overturn list assumptions; all "
+            "columns of a results file: overturn list columns FILE.h5; one of these lists: overturn list {}\n",
+            section_names());
+    }
+}
+
+int list(ListOptions const& options) {
+    if (options.what == "columns") {
+        return list_columns(options);
+    }
+    validate(!options.unverified.wished, "--unverified (of columns of files alone). Leave it out");
+    if (options.what == "keys") {
+        return list_keys(options);
+    }
+    bool const assumptions = options.what == "assumptions";
+    validate(assumptions || options.what.empty() || std::ranges::count(sections, options.what, &Section::name) == 1,
+             "list '{}' (unknown). Choose keys, columns FILE.h5, assumptions, {}, or nothing: all but the first three",
+             options.what, section_names());
+    validate(options.named.empty(), "'{}' (one argument too many). See overturn list --help",
+             options.named.empty() ? "" : options.named.front());
+    validate(!options.schema && !options.markdown,
+             "--schema and --markdown (of keys alone, or columns). Say overturn list keys");
+    validate(!options.json || assumptions,
+             "--json (of keys and assumptions alone). Say overturn list assumptions --json");
+    if (assumptions) {
+        fmt::print("{}", options.json ? model_assumptions_json().dump(2) + "\n" : model_assumptions_text());
+    } else {
+        print_sections(options.what);
+    }
     return done;
 }
 
@@ -168,8 +206,9 @@ void add_list(CommandLine& line) {
     auto options = std::make_shared<ListOptions>();
     verb.takes(
         "what", options->what,
-        "keys: what a campaign may state; columns: what a results file holds; assumptions: what the model takes for "
-        "granted");
+        fmt::format("keys: what a campaign may state; columns: what a results file holds; assumptions: what the model "
+                    "takes for granted; or one of {}; default: all of these",
+                    section_names()));
     verb.takes("named", options->named,
                "of keys: this table and those in it (waves, bodies.pad, ...); of columns: results files");
     verb.takes("--json", options->json, "keys or assumptions as JSON");

@@ -40,7 +40,7 @@ TEST_F(Assumptions, AreListed) {
     }
     auto const wrong = overturn(folder, {"list", "assumption"});
     EXPECT_EQ(wrong.code, 2);
-    EXPECT_NE(wrong.err.find("Say assumptions"), std::string::npos) << wrong.err;
+    EXPECT_NE(wrong.err.find("Choose keys, columns FILE.h5, assumptions, sources"), std::string::npos) << wrong.err;
     EXPECT_EQ(overturn(folder, {"list", "--json"}).code, 2);
 }
 

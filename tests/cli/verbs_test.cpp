@@ -166,6 +166,11 @@ TEST_F(Verbs, ListNamesEverythingThatCanBeAskedFor) {
                              "peak_rotation_ratio"}) {
         EXPECT_NE(ended.out.find(std::string("  ") + name + " "), std::string::npos) << name;
     }
+    auto const measures = done({"list", "measures"}).out;
+    EXPECT_EQ(measures.rfind("level measures (levels.measure)\n", 0), 0U) << measures;
+    EXPECT_NE(measures.find("  pgv "), std::string::npos) << measures;
+    EXPECT_EQ(measures.find("mlit-ch1"), std::string::npos) << "one list alone";
+    EXPECT_NE(ended.out.find(measures), std::string::npos) << "and it is part of the whole";
 }
 
 //
