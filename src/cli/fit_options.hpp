@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/error.hpp"
-#include "stats/curve_spread.hpp"
+#include "output/curve_spread.hpp"
 
 namespace overturn::cli {
 
@@ -13,7 +13,7 @@ namespace overturn::cli {
 inline void check_fit_options(double beta_u, std::optional<double> confidence) {
     validate(beta_u >= 0 && std::isfinite(beta_u),
              "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", beta_u);
-    check_spread("--beta-u", beta_u);
+    output::check_spread("--beta-u", beta_u);
     validate(!confidence || (*confidence > 0 && *confidence < 1),
              "--confidence: {} (must lie between 0 and 1). State e.g. 0.95", confidence.value_or(0));
 }

@@ -1,9 +1,7 @@
-#include <cmath>
 #include <memory>
 #include <optional>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "campaign/withheld_inputs.hpp"
 #include "cli/history.hpp"
@@ -14,8 +12,8 @@
 #include "core/print_note.hpp"
 #include "output/made_by.hpp"
 #include "output/rare_replay_text.hpp"
+#include "output/trial_text.hpp"
 #include "report/figure.hpp"
-#include "response/registry.hpp"
 #include "results/rare_replay.hpp"
 #include "results/recount.hpp"
 
@@ -34,12 +32,11 @@ struct ReplayOptions {
 
 int print_difference(ReplayOptions const& options, store::ResultsReader const& file,
                      std::vector<std::string> const& different, std::string const& what) {
+    fmt::print("{}", output::difference_text(different));
     if (different.empty()) {
-        fmt::print("bit-equal to the stored row\n");
         (void)options.unverified.warn_if_changed(file, options.file);  // the row is sound, the file is not
         return done;
     }
-    fmt::print("NOT bit-equal to the stored row: {} differ\n", fmt::join(different, ", "));
     print_note("overturn: {}: {} is not what this program computes {}\n", options.file, what,
                output::why_bits_differ(file));
     return other_failure;
@@ -77,28 +74,15 @@ int replay(ReplayOptions const& options) {
     auto const trial = run_trial(spec, prepared, body, level, options.plot.empty() ? observer : &kept);
     auto const& row = trial.rows.front();
     if (!options.plot.empty()) {
-        std::size_t const place = body;
-        auto const title = fmt::format("{}, trial {}: wave {} at {}, {}", spec.bodies[place].name, options.trial,
-                                       plan.number(wave), spec.levels.text(row.amplitude), entry_of(row.verdict).name);
+        auto const title = output::trial_title(spec, row, options.trial, plan.number(wave));
         MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;
-        draw_history(kept,
-                     {title, spec.bodies[place], prepared.bodies[place].body, prepared.motion, row.scale, measures},
+        draw_history(kept, {title, spec.bodies[body], prepared.bodies[body].body, prepared.motion, row.scale, measures},
                      options.unit, options.plot);
         if (measures == nullptr) {
             print_note("{}: without V_WES (the campaign states [measures] energy = false)\n", options.plot);
         }
     }
-    fmt::print("trial {}: wave number {} (id {}), body {}, {} {}\n", options.trial, plan.number(wave), row.wave,
-               spec.bodies[body].name, spec.levels.measure_name(), spec.levels.text(row.amplitude));
-    bool const known = !std::isnan(row.peak_rotation_rad);
-    auto const when = std::isnan(row.time_of_peak_s) ? std::string() : fmt::format(" at {:.3f} s", row.time_of_peak_s);
-    if (known) {
-        fmt::print("verdict {}, peak rotation {:.6g} rad = {:.4g} deg ({:.4f} alpha){}, {} impacts\n",
-                   entry_of(row.verdict).name, row.peak_rotation_rad, row.peak_rotation_rad * 180 / pi,
-                   row.peak_rotation_ratio, when, row.impacts);
-    } else {
-        fmt::print("verdict {} ({})\n", entry_of(row.verdict).name, entry_of(row.failure).summary);
-    }
+    fmt::print("{}", output::trial_text(spec, row, options.trial, plan.number(wave)));
     return print_difference(options, file, differing_columns(file, spec, stored, trial),
                             fmt::format("trial {}", options.trial));
 }

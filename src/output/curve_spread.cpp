@@ -1,4 +1,4 @@
-#include "stats/curve_spread.hpp"
+#include "output/curve_spread.hpp"
 
 #include <array>
 #include <cmath>
@@ -6,9 +6,9 @@
 
 #include "core/error.hpp"
 #include "core/usual_range.hpp"
-#include "stats/detail/curve_fit.hpp"
+#include "stats/scores.hpp"
 
-namespace overturn {
+namespace overturn::output {
 namespace {
 
 constexpr double widest = 5;
@@ -48,4 +48,4 @@ void check_spread(std::string_view option, double beta) {
              beta, widest, std::exp(hclpf_score * beta));
 }
 
-}  // namespace overturn
+}  // namespace overturn::output

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace overturn {
+namespace overturn::output {
 
 /// beta_R and beta_U of one curve, each lognormal standard deviations.
 struct CurveSpread {
@@ -21,4 +21,4 @@ struct CurveSpread {
 /// \param option "--beta-u", for the message \throws InputError above any that a curve has: a percentage, or a slip
 void check_spread(std::string_view option, double beta);
 
-}  // namespace overturn
+}  // namespace overturn::output

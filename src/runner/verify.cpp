@@ -39,7 +39,7 @@ struct Place {
 
 class Verifier {
   public:
-    Verifier(store::ResultsReader const& file, CampaignSpec const& spec, VerifyWish const& wish)
+    Verifier(store::ResultsReader const& file, CampaignSpec const& spec, VerifyRequest const& wish)
         : file_(file),
           spec_(spec),
           selector_(spec.effects, spec.accuracy),
@@ -81,7 +81,7 @@ class Verifier {
         std::int64_t row;
     };
 
-    void draw(VerifyWish const& wish) {
+    void draw(VerifyRequest const& wish) {
         std::int64_t all = trials_;
         for (auto const& replayer : rare_) {
             all += replayer->rows();
@@ -244,7 +244,7 @@ Verified together(std::vector<std::string> const& ranks) {
 
 }  // namespace
 
-Verified verify_rows(store::ResultsReader const& file, CampaignSpec const& spec, VerifyWish const& wish,
+Verified verify_rows(store::ResultsReader const& file, CampaignSpec const& spec, VerifyRequest const& wish,
                      parallel::Communicator const& comm) {
     Verifier verifier(file, spec, wish);
     spec.source->prepare(parallel::rows_of_ranks(comm));

@@ -16,8 +16,7 @@ namespace overturn {
 namespace {
 
 constexpr std::size_t most_cells = 2048;  // width / beta is far below what any sample resolves
-constexpr double one_percent_score = 2.326347874040841;
-constexpr double chance = 0.05;  // below it a misfit is called one
+constexpr double chance = 0.05;           // below it a misfit is called one
 
 double lowest_proportion(std::span<FragilityPoint const> points) {
     auto const found = std::find_if(points.begin(), points.end(), [](auto const& p) { return p.overturned > 0; });

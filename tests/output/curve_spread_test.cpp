@@ -1,10 +1,10 @@
 // Requirement: a beta that a curve hardly has is a line with what it does to HCLPF, one that is a slip is
 // refused; usual ones are neither.
-#include "stats/curve_spread.hpp"
+#include "output/curve_spread.hpp"
 
 #include "support/expect_input_error.hpp"
 
-namespace overturn {
+namespace overturn::output {
 namespace {
 
 TEST(CurveSpread, UsualOnesGetNoLine) {
@@ -27,9 +27,10 @@ TEST(CurveSpread, WideAndNarrowOnesGetOne) {
 }
 
 TEST(CurveSpread, SlipsAreRefused) {
-    testing::expect_input_error([] { check_spread("--beta-u", 30); }, "--beta-u: 30 (more than 5", "0.4 for 40 %");
+    overturn::testing::expect_input_error([] { check_spread("--beta-u", 30); }, "--beta-u: 30 (more than 5",
+                                          "0.4 for 40 %");
     EXPECT_NO_THROW(check_spread("--beta-u", 5));
 }
 
 }  // namespace
-}  // namespace overturn
+}  // namespace overturn::output

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "core/outward.hpp"
+#include "output/curve_spread.hpp"
 #include "output/interval_text.hpp"
-#include "stats/curve_spread.hpp"
 
 namespace overturn::output {
 namespace {

@@ -7,10 +7,9 @@
 
 #include "stats/detail/profile_likelihood.hpp"
 #include "stats/fragility.hpp"
+#include "stats/scores.hpp"
 
 namespace overturn {
-
-inline constexpr double hclpf_score = 1.645;  ///< 5 % of a normal variable, as HCLPF is defined
 
 struct CurveFit {
     ProbitLine line;

@@ -1,0 +1,24 @@
+/// One trial that was computed again, in words.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "campaign/rows.hpp"
+
+namespace overturn::output {
+
+/// "trial 17: wave number 3 (id 7), body cask, pga 600 gal", then its verdict and its peak. \param wave its number
+[[nodiscard]] std::string trial_text(CampaignSpec const& spec, TrialRow const& row, std::int64_t trial,
+                                     std::int64_t wave);
+
+/// Of a figure: "cask, trial 17: wave 3 at 600 gal, overturned".
+[[nodiscard]] std::string trial_title(CampaignSpec const& spec, TrialRow const& row, std::int64_t trial,
+                                      std::int64_t wave);
+
+/// "bit-equal to the stored row", or the columns that differ.
+[[nodiscard]] std::string difference_text(std::vector<std::string> const& different);
+
+}  // namespace overturn::output
