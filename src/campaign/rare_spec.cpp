@@ -10,7 +10,7 @@ namespace {
 using Wish = std::optional<rare::Method>;
 
 constexpr std::array rare_methods{
-    config::Entry<Wish>{"auto", "what each level calls for, another one where that cannot be trusted", std::nullopt},
+    config::Entry<Wish>{"auto", "suitable method for each level; another one if that fails its checks", std::nullopt},
     config::Entry<Wish>{"pulse-mixture", "importance sampling with the pulses that failing waves have in common",
                         rare::Method::pulse_mixture},
     config::Entry<Wish>{"subset", "subset simulation, for any random waves", rare::Method::subset},

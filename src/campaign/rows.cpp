@@ -128,7 +128,7 @@ Fields fields_of_waves() {
         field<&W::vertical_failures>("vertical_failures", "1",
                                      "those of them that the vertical component's spectrum does not meet"),
         field<&W::target>("target", "1", "number of the drawn target: waves that share one are alike"),
-        field<&W::event>("event", "1", "number of the event whose part the drawn target shares"),
+        field<&W::event>("event", "1", "number of the event whose between-event term the wave's target uses"),
         field<&W::sa_average_mps2>("sa_average", "m/s2",
                                    "geometric mean of the pseudo-acceleration spectrum over measures.sa_band")};
     add_match<&W::transverse_match>(fields, "transverse");

@@ -36,7 +36,7 @@ constexpr config::Key sides_key(std::string_view name, std::string_view meaning)
 
 constexpr config::Keys site_keys{
     sides_key("cask", "to another cask, which moves too: from the edge of the base all round, or by direction"),
-    sides_key("wall", "to what stands still, likewise"),
+    sides_key("wall", "distance to fixed objects, same form"),
     sides_key("edge", "to the edge of the pad, likewise"),
     config::text_key("cask_body",
                      "name of the body that the other cask is: it moves as its own trial of the same wave and level")

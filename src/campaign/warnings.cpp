@@ -136,13 +136,12 @@ void add_motions(CampaignSpec const& spec, Lines& lines) {
 
 std::string warning_of_alike_waves(CampaignSpec const& spec) {
     auto const alike = spec.source->about().waves_alike;
-    return alike == 1
-               ? std::string()
-               : fmt::format(
-                   "{0} waves in a row share what was drawn: bootstraps resample them together, and intervals of "
-                   "proportions count {0} as one, which is wider than need be where they differ. As many waves "
-                   "that share nothing (per_target = 1, targets_per_event = 1) tell more",
-                   alike);
+    return alike == 1 ? std::string()
+                      : fmt::format(
+                          "Groups of {0} waves share a drawn target. They are resampled together and count as one wave "
+                          "in intervals of proportions; this is conservative. Use independent waves (per_target = 1, "
+                          "targets_per_event = 1) for narrower intervals",
+                          alike);
 }
 
 std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, GroundMotion const& motion,
@@ -190,8 +189,8 @@ std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedW
         auto const lost = scale ? selector.left_out({scene, wave.motion, *scale}) : 0;
         if (lost != 0) {
             lines.push_back(
-                fmt::format("{} calls for {} beside effects with which no model holds it: trials leave it out (reason "
-                            "left-out). State effects.include, or another body, to choose what is simulated",
+                fmt::format("{} requires {}, but no model supports it together with the other required effects: it is "
+                            "not simulated (reason left-out). State effects.include or change the body",
                             body.name, names_of_effects(lost)));
         }
         for (auto& line : warnings_of_stated_effects(body, wave.motion, spec.effects)) {

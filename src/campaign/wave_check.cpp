@@ -38,7 +38,7 @@ void validate_bands(WaveSource const& source, std::vector<BodySpec> const& bodie
         auto const band = rocking_band(body.body, radius_unit);
         validate(band.t1_s <= judged->to_s,
                  "'{}' beside a body '{}' with T1 = {:.3g} s (waves are compared with their target to {:.3g} s only). "
-                 "Use a target that goes on, and waves.target.longest no shorter",
+                 "Use a target that extends to T1, and a waves.target.longest of at least T1",
                  source.about().acceptance.rule, body.name, band.t1_s, judged->to_s);
     }
 }

@@ -94,8 +94,11 @@ class CapacityReader {
         if (verdict_) {
             bool const fell = fell_in(cells[*verdict_]);
             if (fell && beyond) {
-                rows_.fail(cell, fmt::format("{} that fell (it stood up to there, or it fell there?). Mend one",
-                                             in_quotes(cell.text)));
+                rows_.fail(
+                    cell,
+                    fmt::format(
+                        "{} marked as overturned (did it stand up to this value, or overturn at it?). Correct one",
+                        in_quotes(cell.text)));
             }
             capacity.reached = fell;
         }

@@ -159,7 +159,7 @@ int write_study(NewOptions const& options) {
                  "{}: there already (it would be lost). Say another name, or --force", options.file);
     }
     note_warnings(warnings_of(spec));
-    print_note("{}: {} trials. What is assumed stands there behind \"assumed\". Next: overturn plan {}\n", options.file,
+    print_note("{}: {} trials. Assumed values are marked \"assumed\" in it. Next: overturn plan {}\n", options.file,
                Plan(spec).without_refusals().trials(), options.file);
     return done;
 }

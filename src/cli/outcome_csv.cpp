@@ -158,8 +158,9 @@ class Reader {
             return Outcome::untested;
         }
         if (cell.text != "0" && cell.text != "1") {
-            rows_.fail(cell, fmt::format("{} (not an outcome). Write 1 for fell, 0 for stood, nothing for not tested",
-                                         in_quotes(cell.text)));
+            rows_.fail(
+                cell, fmt::format("{} (not an outcome). Write 1 for overturned, 0 for stood; leave empty if not tested",
+                                  in_quotes(cell.text)));
         }
         return cell.text == "1" ? Outcome::fell : Outcome::stood;
     }

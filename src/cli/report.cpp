@@ -133,7 +133,7 @@ Json cost_of(fs::path path) {
         std::ifstream stream(path);
         return cost_lines(Json::parse(stream), path);
     } catch (Json::exception const&) {
-        print_note("{}: not as overturn run writes it (damaged?). The page tells no times\n", path.string());
+        print_note("{}: not as overturn run writes it (damaged?). The page shows no times\n", path.string());
         return Json::array();
     }
 }

@@ -172,8 +172,9 @@ int rock(RockOptions const& options) {
     std::vector<std::byte> own(selector.extra_bytes());
     SceneTrial const trial{scene, motion, options.scale};
     if (auto const lost = selector.left_out(trial); lost != 0) {
-        note_warnings({fmt::format("{} calls for {} beside effects with which no model holds it: it is left out",
-                                   spec.name, names_of_effects(lost))});
+        note_warnings({fmt::format(
+            "{} requires {}, but no model supports it together with the other required effects: it is not simulated",
+            spec.name, names_of_effects(lost))});
     }
     std::optional<HistoryFile> history;
     auto response = selector.respond(trial, own);

@@ -134,7 +134,7 @@ std::string sentence_of(Balance const& balance, Comparison const& defaults, Camp
         case Dominates::unknown:
             break;
     }
-    return fmt::format("Undecided: {}, but {}, which is no less. A larger --waves would tell.", sampling, numerical);
+    return fmt::format("Undecided: {}, but {}, which is not smaller. Use more waves (--waves).", sampling, numerical);
 }
 
 }  // namespace overturn::cost

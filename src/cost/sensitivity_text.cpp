@@ -94,7 +94,7 @@ std::string sensitivity_text(Sensitivity const& study) {
         text += fmt::format("not moved: {} = {} ({})\n", input.key, input.value, input.why);
     }
     if (study.inputs.empty()) {
-        text += "No number is said to be assumed: state basis = \"assumed\" where one is.\n";
+        text += "No value is marked as assumed. Mark assumed values with basis = \"assumed\".\n";
     }
     return text;
 }

@@ -162,7 +162,7 @@ PlacedRecord place(Recording recording, std::string_view first, ComponentChoice 
     auto transverse = only(recording, "second horizontal", where,
                            [](RecordComponent const& c) { return c.direction == Direction::horizontal; });
     if (!recording.components.empty() || is_vertical(horizontal)) {
-        throw InputError(where, fmt::format("components {} (which is horizontal and which vertical cannot be told). "
+        throw InputError(where, fmt::format("components {} (horizontal or vertical is ambiguous). "
                                             "State the columns, or take those that are meant into a file of their own",
                                             list_of(names)));
     }

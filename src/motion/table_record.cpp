@@ -230,8 +230,8 @@ Recording read_table(std::string_view content, RecordRequest const& request, Rea
     check_whole_rows(table, request.name);
     if (!named && many && reading == Reading::by_content) {
         throw InputError({request.name, table.line[0]},
-                         fmt::format("{} columns without names, the first a time column (which is which cannot be "
-                                     "told). Name them, or state the columns",
+                         fmt::format("{} columns without names, the first a time column (their order is ambiguous). "
+                                     "Name them, or state the columns",
                                      table.columns()));
     }
     return columns_of(table, std::move(columns), request);

@@ -37,8 +37,8 @@ Table criterion_table(std::string const& body, std::span<MeasuredCriterion const
         return [member](Row const& row) { return row.study.counts.*member; };
     };
     table.add("false_safe", "1", "predicted safe, overturned", count(&Confusion::false_safe))
-        .add("false_alarm", "1", "predicted unsafe, stood", count(&Confusion::false_alarm))
-        .add("true_safe", "1", "predicted safe, stood", count(&Confusion::true_safe))
+        .add("false_alarm", "1", "predicted unsafe, did not overturn", count(&Confusion::false_alarm))
+        .add("true_safe", "1", "predicted safe, did not overturn", count(&Confusion::true_safe))
         .add("true_overturn", "1", "predicted unsafe, overturned", count(&Confusion::true_overturn));
     auto const share = [](Share CriterionStudy::*member) {
         return [member](Row const& row) -> Share const& { return row.study.*member; };
@@ -72,7 +72,7 @@ Table response_table(std::string const& body, std::span<ResponseBin const> bins)
     TableOf<Row> table({.name = "response", .group = "response/" + body, .axis = "from", .constants = {{"body", body}}},
                        bins);
     table.add("from", "1", "lower end of the bin of V_WES / V_Ereq", [](Row const& row) { return row.from; })
-        .add("to", "1", "upper end of it; infinite: open", [](Row const& row) { return row.to; })
+        .add("to", "1", "upper end; infinite: no upper end", [](Row const& row) { return row.to; })
         .add("overturned", "1", "trials in the bin that overturned", [](Row const& row) { return row.overturned; });
     add_percentiles(table, "without_slip", "V_resp / V_Ereq of trials that moved and stood, without slip",
                     [](Row const& row) -> std::optional<RatioQuantiles> const& { return row.without_slip; });
@@ -84,11 +84,11 @@ Table response_table(std::string const& body, std::span<ResponseBin const> bins)
 Table limit_table(CampaignSpec const& spec) {
     TableOf<LimitState> table({.name = "limit_states", .group = "limit_states"}, spec.limits);
     table.add("name", "1", "limit state", [](LimitState const& limit) { return limit.name; })
-        .add("said", "1", "how lines call it: with the words that a fall alone does not pass it, where it does not",
+        .add("said", "1", "name in printed lines; with \"without overturning\" if overturning alone does not count",
              [&](LimitState const& limit) { return said_name(limit, spec.limits); })
-        .add("definition", "1", "when a trial has passed it",
+        .add("definition", "1", "condition for a trial to exceed the limit",
              [&](LimitState const& limit) { return definition_of(limit, spec.limits); })
-        .add("quantity", "1", "response that is held to a threshold; empty: none",
+        .add("quantity", "1", "response compared with the threshold; empty: none",
              [](LimitState const& limit) { return text_or_none(limit.quantity.name); })
         .add("units", "1", "its unit",
              [](LimitState const& limit) { return limit.quantity.name.empty() ? "1" : limit.quantity.units; })

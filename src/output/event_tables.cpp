@@ -71,8 +71,8 @@ Table health_table(std::string const& group, std::vector<std::pair<std::string, 
     table.add("level", "1", "number of the level, rising from 0", [](Row const& row) { return row.level; })
         .add("check", "1", "what was checked", [](Row const& row) { return row.check->name; })
         .add("value", "1", "what was found", [](Row const& row) { return row.check->value; })
-        .add("limit_value", "1", "what it was held against", [](Row const& row) { return row.check->limit; })
-        .add("passed", "1", "1: on the trusted side of it", [](Row const& row) { return row.check->passed; });
+        .add("limit_value", "1", "threshold of the check", [](Row const& row) { return row.check->limit; })
+        .add("passed", "1", "1: check passed", [](Row const& row) { return row.check->passed; });
     return table.take();
 }
 
@@ -119,7 +119,7 @@ std::vector<Table> frequency_tables(std::string const& units, std::span<BodyFreq
         .add("fractile_5", "1/a", "by the curve of 95 % confidence", fractile(&Row::Fractiles::low))
         .add("fractile_50", "1/a", "by the median curve", fractile(&Row::Fractiles::median))
         .add("fractile_95", "1/a", "by the curve of 5 % confidence", fractile(&Row::Fractiles::high))
-        .add("stripes_alone", "1/a", "what the stripes alone allow", [](Row const& row) { return row.seen; })
+        .add("stripes_alone", "1/a", "bounds from the stripes without a curve", [](Row const& row) { return row.seen; })
         .add(
             "beyond_curve", "1/a", "motions beyond the last point of the hazard curve",
             [](Row const& row) {
@@ -143,9 +143,9 @@ std::vector<Table> rare_tables(CampaignSpec const& spec, RareBody const& body) {
         return [member](Row const& row) { return row.probability ? std::optional(row.*member) : std::nullopt; };
     };
     table.add("amplitude", stated_unit("1"), "value of the level", [](Row const& row) { return row.factor; })
-        .add("probability", "1", "P of passing the limit; NaN: nothing can be trusted",
+        .add("probability", "1", "P of exceeding the limit; NaN: no estimate passed its checks",
              [](Row const& row) { return row.probability; })
-        .add("", "1", "the 95 % interval; of plain trials alone where nothing else can be trusted",
+        .add("", "1", "95 % confidence interval; from plain trials if no other estimate passed its checks",
              [](Row const& row) { return row.interval_95; })
         .add("cov", "1", "standard error over probability; NaN without one", trusted(&Row::cov))
         .add("crude_runs", "1", "waves that crude Monte Carlo needs for this; NaN without a probability",

@@ -70,11 +70,12 @@ void add_trust(std::vector<std::string>& notes, BodyFrequency const& f) {
                         f.few_waves));
     }
     if (f.poor) {
-        notes.emplace_back("the curve does not describe the data: believe the stripes, which the interval holds");
+        notes.emplace_back(
+            "the curve does not fit the data: use the interval, which includes the bounds from the stripes");
     }
     // Stripes know nothing of a beta_U that is stated beside them.
     if (!f.stated && !f.fractiles && (mean_of(f) > f.seen.upper || mean_of(f) < f.seen.lower)) {
-        notes.emplace_back("the curve's frequency lies outside what the stripes alone allow: believe the stripes");
+        notes.emplace_back("the curve's frequency is outside the bounds from the stripes: use these bounds");
     }
 }
 

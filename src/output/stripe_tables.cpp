@@ -83,7 +83,7 @@ void add_ends(TableOf<AtLevel>& table, CampaignSpec const& spec, BodyStatistics 
                   [&spec](AtLevel const& row) { return std::string(name_of(spec.levels.levels[row.level].purpose)); })
         .add("fell_after_record", "1", "trials that overturned only after the end of the record",
              [&body](AtLevel const& row) { return body.fell_after_record[row.level]; })
-        .add("peaked_after_record", "1", "trials that stood and rotated most only after it",
+        .add("peaked_after_record", "1", "trials that did not overturn and reached peak rotation after the record",
              [&body](AtLevel const& row) { return body.peaked_after_record[row.level]; });
     for (std::size_t e = 0; e < effects().size(); ++e) {
         table.add(fmt::format("{}_called", effects()[e].name), "1",
@@ -155,8 +155,8 @@ Table criterion_level_table(CampaignSpec const& spec, BodyStatistics const& body
         return [&cells, member](AtLevel const& row) { return cells[row.level].*member; };
     };
     table.add("false_safe", "1", "predicted safe, overturned", of(&Confusion::false_safe))
-        .add("false_alarm", "1", "predicted unsafe, stood", of(&Confusion::false_alarm))
-        .add("true_safe", "1", "predicted safe, stood", of(&Confusion::true_safe))
+        .add("false_alarm", "1", "predicted unsafe, did not overturn", of(&Confusion::false_alarm))
+        .add("true_safe", "1", "predicted safe, did not overturn", of(&Confusion::true_safe))
         .add("true_overturn", "1", "predicted unsafe, overturned", of(&Confusion::true_overturn))
         .add("undecided_safe", "1", "predicted safe, no verdict", of(&Confusion::undecided_safe))
         .add("undecided_unsafe", "1", "predicted unsafe, no verdict", of(&Confusion::undecided_unsafe));
@@ -193,7 +193,7 @@ Table quantile_table(CampaignSpec const& spec, std::string const& body, std::spa
         table.add(names.at(q), unit, what, [q](Row const& row) { return row.quantiles.at(q).value; })
             .add(std::string(names.at(q)) + "_lower", unit, "lower end of it between order statistics; NaN: open",
                  [q](Row const& row) { return row.quantiles.at(q).lower; })
-            .add(std::string(names.at(q)) + "_upper", unit, "upper end of it; NaN: open",
+            .add(std::string(names.at(q)) + "_upper", unit, "upper end; NaN: no upper end",
                  [q](Row const& row) { return row.quantiles.at(q).upper; });
     }
     return table.take();

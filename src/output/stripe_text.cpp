@@ -141,13 +141,12 @@ std::string cut_short_text(BodyStatistics const& counted) {
     };
     auto const fell = sum(counted.fell_after_record);
     auto const peaked = sum(counted.peaked_after_record);
-    return fell + peaked == 0
-               ? ""
-               : fmt::format(
-                   "{} trials still rocked when the record ended ({} fell and {} rose to their peak only after it; "
-                   "followed without shaking). State a longer duration, or quiet_after of a pulse, if the motion goes "
-                   "on",
-                   fell + peaked, fell, peaked);
+    return fell + peaked == 0 ? ""
+                              : fmt::format(
+                                  "{} trials were still rocking at the end of the record ({} overturned and {} reached "
+                                  "their peak after it, without ground motion). If the real motion is longer, state a "
+                                  "longer duration (pulse: quiet_after)",
+                                  fell + peaked, fell, peaked);
 }
 
 std::string model_costs(PhaseSeconds const& seconds) {

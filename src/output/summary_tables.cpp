@@ -41,12 +41,12 @@ Table any_table(CampaignSpec const& spec, BodiesTogether const& of, double confi
         .add("waves", "1", "waves with a trial of every body", [](Row const& row) { return row.any->trials; })
         .add(passed_name(of.passing), "1", "of them any body passed the limit",
              [](Row const& row) { return row.any->overturned; })
-        .add("undecided", "1", "of them none did, and one has no verdict",
+        .add("undecided", "1", "waves in which no body overturned and at least one body has no verdict",
              [](Row const& row) { return row.any->undecided; })
         .add("probability", "1", "P that any body passes the limit",
              [](Row const& row) { return row.any->probability(); })
         .add("", "1", "its exact interval", [confidence](Row const& row) { return row.any->interval(confidence); })
-        .add("if_independent", "1", "what it were if bodies were independent; NaN: not known",
+        .add("if_independent", "1", "the same probability for independent bodies; NaN: unknown",
              [](Row const& row) { return row.if_independent; });
     return table.take();
 }

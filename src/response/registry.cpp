@@ -81,10 +81,10 @@ std::span<Category const> model_categories() {
 
 std::span<ReasonEntry const> reasons() {
     static auto const entries = [] {
-        std::vector<ReasonEntry> all{{no_reason, "none", "the cheapest model says all"},
-                                     {stated_reason, "stated", "its effects are stated, not called for"},
-                                     {left_out_reason, "left-out",
-                                      "no model holds together all that was called for: effects lack some of called"}};
+        std::vector<ReasonEntry> all{
+            {no_reason, "none", "the cheapest model says all"},
+            {stated_reason, "stated", "its effects are stated, not called for"},
+            {left_out_reason, "left-out", "no model supports all required effects together: some are not simulated"}};
         for (auto const& model : models()) {
             auto const& own = model.traits().reasons;
             all.insert(all.end(), own.begin(), own.end());

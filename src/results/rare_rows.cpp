@@ -76,9 +76,9 @@ template <> Fields const& fields_of<RareRow>() {
     static Fields const fields{
         category<&R::method>("method", "estimator that drew it", numbered(rare_method_names())),
         field<&R::run>("run", "1", "which of the estimator's runs: groups mixture-N and subset-N"),
-        field<&R::problem>("problem", "1", "which random numbers: number of the limit state"),
+        field<&R::problem>("problem", "1", "random stream: number of the limit state"),
         field<&R::replicate>("replicate", "1", "independent repetition"),
-        field<&R::phase>("phase", "1", "which random numbers: 3 pilot, 4 final, 5 subset"),
+        field<&R::phase>("phase", "1", "random stream: 3 pilot, 4 final, 5 subset"),
         field<&R::stage>("stage", "1", "stage of the pilot runs, or level of the subset simulation"),
         field<&R::step>("step", "1", "of a Markov chain within the level"),
         field<&R::index>("index", "1", "of the trial within its stage, or of the chain"),

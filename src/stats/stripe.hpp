@@ -28,7 +28,7 @@ struct Stripe {
 /// How a criterion "measure < limit means it does not overturn" did against time histories.
 struct Confusion {
     std::int64_t false_safe = 0;     ///< predicted safe, overturned: the count that matters
-    std::int64_t false_alarm = 0;    ///< predicted unsafe, stood
+    std::int64_t false_alarm = 0;    ///< predicted unsafe, did not overturn
     std::int64_t true_safe = 0;      ///< said safe, stood
     std::int64_t true_overturn = 0;  ///< predicted unsafe, overturned
 

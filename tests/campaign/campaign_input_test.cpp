@@ -123,7 +123,7 @@ TEST(CampaignInput, OfAnEarlierFormatIsReadAsThen) {
     auto record =
         testing::input_from("[waves]\nsource='records'\nfiles=['r.txt']\nunit='m/s2'\n" + rest, {{"r.txt", rows}});
     testing::expect_input_error([&] { (void)parse_campaign(target); }, "t.csv", "unit of the ordinates missing");
-    testing::expect_input_error([&] { (void)parse_campaign(record); }, "r.txt", "which component it is cannot be told");
+    testing::expect_input_error([&] { (void)parse_campaign(record); }, "r.txt", "its component is ambiguous");
 
     target.before_format_5 = record.before_format_5 = true;
     auto const in_si = parse_campaign(target).source->make(1, 0);

@@ -58,8 +58,7 @@ TEST(EffectsTold, WhatAutoLeavesOutIsToldBeforeARun) {
                                    ModelSelector(spec.effects, {}, entries));
     };
     std::string const flat = "base={bedding='flat'}\npad={match_restitution=false}\n";
-    EXPECT_TRUE(
-        told(warnings(flat, with_ties), "type-b calls for contact beside effects with which no model holds it"));
+    EXPECT_TRUE(told(warnings(flat, with_ties), "type-b requires contact, but no model supports it together"));
     EXPECT_TRUE(warnings("", with_ties).empty()) << "its corners call for no bed";
     EXPECT_TRUE(warnings(flat, models()).empty());
 }

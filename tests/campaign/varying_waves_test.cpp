@@ -188,7 +188,7 @@ TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsSaid) {
     EXPECT_EQ(waves, (std::set<std::int64_t>{0, 1, 2, 3}));
     bool said = false;
     for (auto const& line : warnings_of(spec)) {
-        said = said || line.find("2 waves in a row share what was drawn") != std::string::npos;
+        said = said || line.find("Groups of 2 waves share a drawn target") != std::string::npos;
     }
     EXPECT_TRUE(said);
     auto const& stripe = statistics.bodies()[0].stripes[0];

@@ -120,10 +120,11 @@ TEST_F(Outcomes, APageWithoutThemHasNoSuchSection) {
         }
     }
     ASSERT_GT(fell + peaked, 0);
-    EXPECT_NE(text.find(fmt::format(
-                  "block-1: {} trials still rocked when the record ended ({} fell and {} rose to their peak",
-                  fell + peaked, fell, peaked)),
-              std::string::npos);
+    EXPECT_NE(
+        text.find(fmt::format(
+            "block-1: {} trials were still rocking at the end of the record ({} overturned and {} reached their peak",
+            fell + peaked, fell, peaked)),
+        std::string::npos);
 }
 
 // Several bodies stand for a specimen; tests that nobody made, and waves without a row, do not count.

@@ -144,8 +144,7 @@ TEST(Columns, FourColumnsHoldBothHorizontalComponents) {
 TEST(Columns, WhatIsNotNamedIsAskedFor) {
     for (char const* names : {"", "t,one,two,three\n", "t,ch1,ch2,ch3\n", "t,comp1,comp2,comp3\n", "t,BN1,BN2,BN3\n"}) {
         auto const text = names + std::string("0,100,1,10\n0.5,-200,2,20\n1,300,3,30\n");
-        expect_input_error([&] { (void)read(text); }, "a.csv:1: column ", "cannot be told",
-                           "State --columns time,h1,h2,v");
+        expect_input_error([&] { (void)read(text); }, "a.csv:1: column ", "ambiguous", "State --columns time,h1,h2,v");
         auto const motion = read(text, {.unit_mps2 = gal, .columns = "time,h2,v,h1"});
         EXPECT_EQ(motion.horizontal_mps2, (std::vector{10 * gal, 20 * gal, 30 * gal}));
         EXPECT_EQ(motion.transverse_mps2, three);
@@ -236,7 +235,7 @@ TEST(Columns, NonUniformTimeIsRefusedAtItsLine) {
     expect_input_error([] { (void)read("0,1\n1,1\n1,1\n2,1\n3,1\n"); }, "a.csv:3: ", "uniform");
     expect_input_error([] { (void)read("t,a\n3,1\n2,1\n1,1\n"); }, "a.csv:3: ", "times rise");
     expect_input_error([] { (void)read("t,a\n0,1\n0,1\n0,1\n"); }, "a.csv:", "uniform");
-    expect_input_error([] { (void)read("3,1\n2,1\n1,1\n"); }, "a.csv:1: column 1", "cannot be told");
+    expect_input_error([] { (void)read("3,1\n2,1\n1,1\n"); }, "a.csv:1: column 1", "ambiguous");
     expect_input_error([] { (void)read("NS,EW,UD\n-0.012,0.064,-0.010\n0.005,0.028,-0.011\n-0.1,2,3\n"); },
                        "a.csv:2: ", "time step missing");
     expect_input_error([] { (void)read("0,1\n"); }, "a.csv:1: ", "one row only");

@@ -73,7 +73,7 @@ TEST(PrintedTimes, StatedStepWinsWithinTheDigits) {
 TEST(Components, AreReadWithoutATime) {
     std::string const two = "0.1 0.2\n-0.3 0.4\n0.5 -0.6\n";
     RecordRequest const stated{.name = "a.txt", .format = "components", .unit_mps2 = 1, .time_step_s = 0.01};
-    expect_input_error([&] { (void)testing::read_record(two, stated); }, "a.txt:1: column 1", "cannot be told");
+    expect_input_error([&] { (void)testing::read_record(two, stated); }, "a.txt:1: column 1", "ambiguous");
     auto named = stated;
     named.columns = "h1,h2";
     auto const motion = testing::read_record(two, named);
@@ -91,7 +91,7 @@ TEST(Components, AreReadWithoutATime) {
                        "time step missing");
     // A digitiser's "x,y" is a time and a value.
     EXPECT_EQ(testing::read_record("x,y\n0,1\n0.1,2\n0.2,3\n0.3,4\n", {.unit_mps2 = 1}).time_step_s, 0.3 / 3);
-    expect_input_error([&] { (void)testing::read_record("0 1 2 3\n1 1 2 3\n", stated); }, "cannot be told");
+    expect_input_error([&] { (void)testing::read_record("0 1 2 3\n1 1 2 3\n", stated); }, "ambiguous");
 }
 
 }  // namespace

@@ -90,7 +90,8 @@ TEST(PageText, TrialsThatOutliveTheRecordAreCounted) {
     EXPECT_TRUE(output::cut_short_lines(Counted({0, 4, 20, 38}).answered()).empty());
     auto const lines = output::cut_short_lines(Counted({0, 4, 20, 38}, true).answered());
     ASSERT_EQ(lines.size(), 1U);
-    EXPECT_TRUE(lines[0].starts_with("block: 3 trials still rocked when the record ended (0 fell and 3 rose"))
+    EXPECT_TRUE(
+        lines[0].starts_with("block: 3 trials were still rocking at the end of the record (0 overturned and 3 reached"))
         << lines[0];
 }
 

@@ -226,10 +226,11 @@ TEST(Statistics, CountWhoFellOrPeakedOnlyAfterTheRecord) {
     EXPECT_EQ(body.fell_after_record, (Counts{0, 2}));
     EXPECT_EQ(body.peaked_after_record, (Counts{0, 1}));
     auto const told = output::stripes_text(spec, statistics);
-    EXPECT_NE(told.find("note: 3 trials still rocked when the record ended (2 fell and 1 rose to their peak"),
-              std::string::npos)
+    EXPECT_NE(
+        told.find("note: 3 trials were still rocking at the end of the record (2 overturned and 1 reached their peak"),
+        std::string::npos)
         << told;
-    EXPECT_EQ(output::stripes_text(spec, Statistics(spec)).find("still rocked"), std::string::npos);
+    EXPECT_EQ(output::stripes_text(spec, Statistics(spec)).find("still rocking"), std::string::npos);
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ inline constexpr config::KeyTable friction_table{.meaning = "friction at rest an
 
 inline constexpr std::string_view whole = "there is no file and no parts";
 inline constexpr config::Keys body_keys{
-    config::text_key("name", "tells bodies apart").otherwise_said("that of its file, else body"),
+    config::text_key("name", "unique name of the body").otherwise_said("that of its file, else body"),
     config::number_key("base_width", Dimension::length, config::Range::positive(), "2 b, in the rocking plane")
         .only("there is no file"),
     config::tables_key<part_table>("parts", "what the body is made of, in place of mass, centre_height and inertia")

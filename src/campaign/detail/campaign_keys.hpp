@@ -68,7 +68,7 @@ inline constexpr config::Keys scatter_keys{
 inline constexpr config::KeyTable scatter_table{.meaning = "how uncertain bodies are drawn", .keys = scatter_keys.all};
 
 inline constexpr config::Keys effect_keys{
-    config::text_key("mode", "auto: what each scene calls for; none: plain rocking").otherwise("auto"),
+    config::text_key("mode", "auto: effects that each trial requires; none: planar rocking only").otherwise("auto"),
     config::words_key<effects>("include", "effects that are simulated in every trial, in place of mode").optional()};
 inline constexpr config::KeyTable effects_table{.meaning = "what is simulated", .keys = effect_keys.all};
 

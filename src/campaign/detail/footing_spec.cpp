@@ -32,7 +32,7 @@ constexpr config::Keys base_keys{
         .only("shape = polygon"),
     config::integer_key("points", 2, 1000,
                         "points from corner to corner; of a round base round its rim, whose directions then differ")
-        .otherwise_said("15; of a round base its rim is continuous, on a pad of a strength 64 points")
+        .otherwise_said("15; round base: continuous rim, or 64 points on a pad with a strength")
         .only("shape = square or round")};
 constexpr config::KeyTable base_table{.meaning = "the base that a body stands on", .keys = base_keys.all};
 constexpr config::Keys pad_keys{

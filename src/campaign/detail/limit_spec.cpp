@@ -138,8 +138,8 @@ void call_for(Table const& table, LimitQuantity const& quantity, EffectRequest& 
         }
         return;
     }
-    table.fail("quantity", fmt::format("'{}' without {} among the effects (no model that runs could tell it). Add it "
-                                       "to effects.include, or leave [effects] out: auto calls for what a limit needs",
+    table.fail("quantity", fmt::format("'{}' needs the effect {} (no selected model computes it). Add it to "
+                                       "effects.include, or remove [effects]: auto includes what a limit needs",
                                        quantity.name, names_of_effects(quantity.needs)));
 }
 

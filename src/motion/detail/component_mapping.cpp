@@ -196,7 +196,7 @@ void check_the_others(TableColumns const& columns, std::vector<Made> const& made
     if (vertical.size() > 1 || (given_up && !all && vertical.empty())) {
         throw InputError(
             {file, made.front().line},
-            fmt::format("what it says of '{}' leaves {} (which is which cannot be told). {}",
+            fmt::format("what it says of '{}' leaves {} (their order is ambiguous). {}",
                         columns.roles[made.front().column].name,
                         vertical.size() > 1 ? fmt::format("'{}' and '{}' vertical", vertical[0], vertical[1])
                                             : std::string("others open"),

@@ -240,7 +240,7 @@ class Placing {
         for (auto const& [column, role] : columns_.motions) {
             if (role.component.direction == Direction::unknown) {
                 throw InputError(where_,
-                                 fmt::format("column {}{} (which component it is cannot be told). {}", column + 1,
+                                 fmt::format("column {}{} (its component is ambiguous). {}", column + 1,
                                              columns_.roles.empty() ? std::string() : fmt::format(", '{}'", role.name),
                                              how_to_state(request_, table_.columns())));
             }

@@ -82,10 +82,9 @@ void take_numbered(TextTable const& table, RecordRequest const& request, TableCo
         if (!request.columns.empty()) {
             return;
         }
-        throw InputError(
-            {request.name, numbered.lines.front()},
-            fmt::format("names of {} columns above {} (which is which cannot be told). {}, or mend the names",
-                        roles.size(), table.columns(), how_to_state(request, table.columns())));
+        throw InputError({request.name, numbered.lines.front()},
+                         fmt::format("names of {} columns above {} (their order is ambiguous). {}, or mend the names",
+                                     roles.size(), table.columns(), how_to_state(request, table.columns())));
     }
     columns.roles = roles;
     columns.names_line = numbered.lines.front();
@@ -144,8 +143,8 @@ TableColumns named_columns(TextTable const& table, RecordRequest const& request)
         bool const values = !names.empty() && !may_be_names(names);
         if (!values && request.columns.empty() && names_others(line, lowest, table)) {
             throw InputError({request.name, line.number},
-                             fmt::format("names of another number of columns than the {} below (which is which cannot "
-                                         "be told). {}, or mend the names",
+                             fmt::format("names of another number of columns than the {} below (their order is "
+                                         "ambiguous). {}, or mend the names",
                                          count, how_to_state(request, count)));
         }
     };

@@ -16,7 +16,7 @@ Table count_table(CampaignSpec const& spec, WaveCounts const& waves, double conf
         .add("rule", "1", "the rule that waves are held to",
              [&](WaveCounts const&) { return spec.source->about().acceptance.rule; })
         .add("tried", "1", "waves with trials", [](WaveCounts const& row) { return row.waves; })
-        .add("refused", "1", "waves that were drawn beside them, miss the rule and are no trials",
+        .add("refused", "1", "waves that miss the rule; not used as trials",
              [](WaveCounts const& row) { return row.refused; })
         .add("used", "1", "of those tried, waves that miss the rule",
              [](WaveCounts const& row) { return row.not_accepted; })
@@ -34,7 +34,7 @@ Table clause_table(MissedClauses const& missed) {
     std::vector<MissedClause> const rows = missed.rows();
     TableOf<MissedClause> table({.name = "missed_clauses", .group = "missed_clauses"}, rows);
     table
-        .category("clause", "what the rule asks", names_of_all_clauses(),
+        .category("clause", "clause of the acceptance rule", names_of_all_clauses(),
                   [](MissedClause const& row) { return row.clause; })
         .category("component", "whose spectrum misses it; whole-wave: it is about no single one",
                   {"horizontal", "transverse", "vertical", "whole-wave"},

@@ -47,7 +47,7 @@ void say_safety(CriterionWords& words, Safety safety, CriterionStudy const& stud
             break;
         case Safety::none_uplifted:
             words.open.push_back(
-                fmt::format("not tested: none of the {} trials that V_WES < V_Ereq predicts safe uplifted",
+                fmt::format("not tested: no uplift in any of the {} trials that V_WES < V_Ereq predicts safe",
                             study.safe_but_overturned.of));
             break;
         case Safety::false_safe:

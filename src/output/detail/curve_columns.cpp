@@ -89,7 +89,8 @@ void add_trial_columns(TableOf<Curve>& table, Passing passing) {
              [](Curve const& curve) { return curve.fit.trials > 0 ? std::optional(curve.fit.lowest) : std::nullopt; })
         .add("highest", unit_of_row(), "highest intensity that was tried",
              [](Curve const& curve) { return curve.fit.trials > 0 ? std::optional(curve.fit.highest) : std::nullopt; })
-        .add("lowest_proportion", "1", "proportion of the lowest stripe in which any trial passed; NaN: none did",
+        .add("lowest_proportion", "1",
+             "proportion exceeding at the lowest level with an exceedance; NaN: no exceedance",
              [](Curve const& curve) { return positive(curve.fit.lowest_proportion); });
 }
 
@@ -110,7 +111,7 @@ void add_curve_columns(TableOf<Curve>& table) {
                   })
         .add("beta_r", "1", "record-to-record part of beta; equals beta if no body property is uncertain",
              if_fitted([](Fit const& fit) { return fit.beta_r(); }))
-        .add("beta_u", "1", "uncertainty of the body, drawn and stated; 0: none is known",
+        .add("beta_u", "1", "epistemic uncertainty beta_U of the body, sampled and stated; 0: not given",
              if_fitted([](Fit const& fit) { return fit.beta_u; }))
         .add("beta_u_drawn", "1", "the part of beta_u that the fitted beta holds",
              [](Curve const& curve) { return curve.fit.beta_u_drawn; });
@@ -155,7 +156,8 @@ void add_check_columns(TableOf<Curve>& table, Passing passing) {
              })
         .add("penalised_median", unit_of_row(), "median of Firth's fit of separated outcomes; NaN: none",
              penalised([](auto const& line) { return std::exp(line.log_median()); }))
-        .add("penalised_beta", "1", "beta of it", penalised([](auto const& line) { return line.beta(); }));
+        .add("penalised_beta", "1", "beta of the penalised fit",
+             penalised([](auto const& line) { return line.beta(); }));
     add_seen_columns(table, "bound", "the trials that bound P where all ended alike", passed_name(passing),
                      seen(&FragilityFit::bound));
     add_seen_columns(table, "pooled", "several stripes together", passed_name(passing), seen(&FragilityFit::pooled));

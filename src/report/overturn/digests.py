@@ -32,7 +32,7 @@ def objects_of(file):
         for name in group:
             place = path.rstrip("/") + "/" + name.decode(errors="surrogateescape")
             if group.links.get_info(name).type != h5l.TYPE_HARD:
-                raise Error(f"{place} is a link to elsewhere (results hold all that they tell). {ADVICE}")
+                raise Error(f"{place} is a link to elsewhere (a results file must not refer to other files). {ADVICE}")
             found[place] = h5o.open(group, name)
             if isinstance(found[place], h5g.GroupID):
                 groups.append(place)
@@ -44,7 +44,7 @@ def objects_of(file):
 def _require_stored_within(dataset, path):
     made = dataset.get_create_plist()
     if made.get_external_count() > 0 or made.get_layout() == h5d.VIRTUAL:
-        raise Error(f"{path} is stored in another file (results hold all that they tell). {ADVICE}")
+        raise Error(f"{path} is stored in another file (a results file must not refer to other files). {ADVICE}")
     for i in range(made.get_nfilters()):
         if (number := made.get_filter(i)[0]) >= PLUGINS:
             raise Error(f"{path} is stored through filter {number} (a plugin, which is never loaded). {ADVICE}")

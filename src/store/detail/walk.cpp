@@ -30,7 +30,7 @@ std::vector<Link> links_of(Object const& group, std::string const& path) {
 void require_stored_within(Object const& dataset, std::string const& path) {
     PropertyList const made(checked(H5Dget_create_plist(dataset.id()), "read how " + path + " is stored"));
     validate(H5Pget_external_count(made.id()) <= 0 && H5Pget_layout(made.id()) != H5D_VIRTUAL,
-             "{} is stored in another file (results hold all that they tell). {}", path, foreign_advice);
+             "{} is stored in another file (a results file must not refer to other files). {}", path, foreign_advice);
     auto const filters = H5Pget_nfilters(made.id());
     for (int i = 0; i < filters; ++i) {
         unsigned flags = 0;
@@ -61,8 +61,9 @@ void each_object(File const& file, std::function<void(std::string const&, Object
                  foreign_advice);
         for (auto const& link : links_of(group, path)) {
             auto const name = (path == "/" ? path : path + "/") + link.name;
-            validate(link.type == H5L_TYPE_HARD, "{} is a link to elsewhere (results hold all that they tell). {}",
-                     name, foreign_advice);
+            validate(link.type == H5L_TYPE_HARD,
+                     "{} is a link to elsewhere (a results file must not refer to other files). {}", name,
+                     foreign_advice);
             Object const object(checked(H5Oopen(group.id(), link.name.c_str(), H5P_DEFAULT), "open " + name));
             auto const kind = H5Iget_type(object.id());
             if (kind == H5I_DATASET) {
