@@ -5,7 +5,7 @@ Every measured motion is run once under every body of a grid of what cannot be m
 with the outcomes of all motions but one as well as the best do vote on that one (the single best of them is chosen by
 chance: it misses specimen 2 by 5 % more). Thresholds on PGA and PGV are chosen and judged likewise. How it is judged stands in
 overturn/report/outcomes.py of the package, which the program's own page uses too. What hangs on the height that is assumed is
-shown beside it, by bodies that take no part. --records only writes the motions as files, and outcomes.csv for `overturn report --outcomes`, for
+shown beside it, by bodies that take no part. Whether V_WES gains from the body's own periods is judged by own_period.py. --records only writes the motions as files, and outcomes.csv for `overturn report --outcomes`, for
 campaigns/granite.toml. Exits with 77 where the data are missing: ../shared/experiments, or OVERTURN_EXPERIMENTS."""
 
 import csv
@@ -23,7 +23,10 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "src" / "report"))
+import own_period  # noqa: E402
 from overturn.report import outcomes  # noqa: E402
+
+GRAVITY = 9.80665
 
 MEASURED = {"v_wes": "v_wes", "v_wes_other_unit": "v_wes, R in m", "ou_v_e": "ou_v_e", "ou_v_e_other_unit": "ou_v_e, R in m"}
 SHOWN = ("v_wes", "v_wes, R in m", "ou_v_e", "ou_v_e, R in m", "pgv", "pga", "peak energy")
@@ -71,6 +74,22 @@ def grid_of(dataset):
             + [(h, alpha, 0) for h in others for alpha in fitted["alpha"]])
 
 
+def periods_of(dataset):
+    """T1 that bodies which only measure stand for: of every phi and alpha at the assumed height, then of the scans."""
+    height, fitted = dataset["block"]["centre_height_m"], dataset["fitted"]
+    own = [own_period.period_times_p(alpha, phi) / math.sqrt(0.75 * GRAVITY * math.cos(alpha) / height)
+           for phi in dataset["own_period"]["phi"] for alpha in fitted["alpha"]]
+    scans = own_period.scans(dataset["own_period"]["scan"], GRAVITY)
+    return own + [scan[key] for scan in scans for key in ("fixed_t1_s", "own_t1_s")]
+
+
+def measuring(period_s):
+    """A body of this T1 that no motion here moves."""
+    alpha, radius = 1.5, own_period.radius_m(period_s)
+    return (f"base_width = {2 * radius * math.sin(alpha):.12g}\ncentre_height = {radius * math.cos(alpha):.12g}\n"
+            "restitution = 0.5")
+
+
 def campaign(dataset, folder, scratch, tests):
     """Writes records and campaign. Returns its bodies."""
     motions, block = dataset["motions"], dataset["block"]
@@ -82,6 +101,8 @@ def campaign(dataset, folder, scratch, tests):
         text.append(f"[[bodies]]\nname = 'b{number:03d}'\nmass = {block['mass_kg']}\n"
                     f"base_width = {2 * height * math.tan(alpha):.9g}\n"
                     f"centre_height = {height}\ninertia = 'uniform-block'" + (f"\nrestitution = {e}" if e else ""))
+    for number, period_s in enumerate(periods_of(dataset)):
+        text.append(f"[[bodies]]\nname = 't{number:03d}'\nmass = 1\ninertia = 'uniform-block'\n{measuring(period_s)}")
     text.append("[levels]\nmeasure = 'factor'\nvalues = [1]\n[measures]\nboth_radius_units = true\nwave_quality = false\n")
     (scratch / "experiment.toml").write_text("\n".join(text), encoding="ascii")
     return grid
@@ -97,15 +118,40 @@ def run(program, scratch):
 
 def tests_of(file, count, bodies):
     """What the program says: columns by test and body, as outcomes.judge takes them."""
-    shape = (count, bodies)
     trials = file["trials"]
     verdicts = h5py.check_enum_dtype(trials["verdict"].dtype)
     names = [f"b{b:03d}" for b in range(bodies)]
-    return {"fell": trials["verdict"][()].reshape(shape) == verdicts["overturned"],
-            "energy": trials["peak_energy_ratio"][()].reshape(shape), "pga": file["waves/pga"][()], "pgv": file["waves/pgv"][()],
+    return {"fell": (trials["verdict"][()] == verdicts["overturned"]).reshape(count, -1)[:, :bodies],
+            "energy": trials["peak_energy_ratio"][()].reshape(count, -1)[:, :bodies], "pga": file["waves/pga"][()], "pgv": file["waves/pgv"][()],
             "limit": np.array([file[f"bodies/{name}/v_ereq"][0] for name in names]),
             "measured": {shown: np.array([file[f"waves/{name}/{column}"][()] for name in names]).T
                          for column, shown in MEASURED.items()}}
+
+
+def v_wes_of(file, dataset, grid, voters):
+    """V_WES over own periods: by phi of the voters, by test and body; of the scans over the fixed and over their own T1."""
+    periods = periods_of(dataset)
+    v = np.array([file[f"waves/t{t:03d}/v_wes"][()] for t in range(len(periods))]).T
+    t1 = [file[f"bodies/t{t:03d}/t1"][0] for t in range(len(periods))]
+    if not np.allclose(t1, periods, rtol=1e-9):
+        sys.exit("validation: bodies that measure have another T1 than they stand for")
+    alpha, phis = dataset["fitted"]["alpha"], dataset["own_period"]["phi"]
+    of_body = [alpha.index(grid[b][1]) for b in voters]
+    own = {phi: v[:, [i * len(alpha) + a for a in of_body]] for i, phi in enumerate(phis)}
+    return own, v[:, len(phis) * len(alpha):]
+
+
+def judge_own_period(dataset, found, own, scanned, voters, motions, fell, random):
+    """own_period.study of all specimens, and the scans: of what either T1 calls safe, how many fell."""
+    specimens = [{"fell": f, "agrees": found["fell"][:, voters] == f[:, None], "fixed": found["measured"]["v_wes"][:, voters],
+                  "own": own, "limit": found["limit"][voters]} for f in fell.values()]
+    told = own_period.study(specimens, motions, random)
+    stated = dataset["own_period"]["scan"]
+    told["scans"] = []
+    for i, scan in enumerate(own_period.scans(stated, GRAVITY)):
+        said = own_period.compare(*(scanned[:, 2 * i + k] >= scan["limit_mps"] for k in (0, 1)), fell[stated["specimen"]], motions, random)
+        told["scans"].append({**scan, **said})
+    return told
 
 
 def some_bodies(tests, chosen):
@@ -133,6 +179,13 @@ def judge(tests, grid, voters, motions, fell, others, random):
     said["by_others"] = outcomes.counted(others, fell)
     said["sensitivity"] = sensitivity(tests, grid, fell)
     return said
+
+
+def tell_scans(told):
+    for scan in told["scans"]:
+        calls = " and ".join(f"{k['safe'] + k['false_safe']} safe, of which {k['false_safe']} fell, {k['false_alarm']} false alarms"
+                             for k in (scan["fixed"], scan["own"]))
+        print(f"  scan, half width {scan['half_width_m']:g} m: T1 {scan['fixed_t1_s']:.2f} and by its own p {scan['own_t1_s']:.2f} s: {calls}")
 
 
 def tell(name, said):
@@ -181,13 +234,18 @@ def main():
         grid = campaign(dataset, folder, Path(scratch), tests)
         with run(program, Path(scratch)) as file:
             found = tests_of(file, len(tests), len(grid))
-    voters = [b for b, (height, _, _) in enumerate(grid) if height == dataset["block"]["centre_height_m"]]
+            voters = [b for b, (height, _, _) in enumerate(grid) if height == dataset["block"]["centre_height_m"]]
+            own, scanned = v_wes_of(file, dataset, grid, voters)
     random = np.random.default_rng(1)
     for specimen in dataset["specimens"]:
         fell = np.array([test[specimen["outcome"]] == "1" for test in tests])
         others = np.array([test[specimen["predicted_by_others"]] == "1" for test in tests])
         told["specimens"][specimen["name"]] = judge(found, grid, voters, motions, fell, others, random)
         tell(specimen["name"], told["specimens"][specimen["name"]])
+    fell = {s["name"]: np.array([test[s["outcome"]] == "1" for test in tests]) for s in dataset["specimens"]}
+    told["own_period"] = judge_own_period(dataset, found, own, scanned, voters, motions, fell, random)
+    own_period.tell(told["own_period"])
+    tell_scans(told["own_period"])
     if "--json" in sys.argv:
         Path(sys.argv[sys.argv.index("--json") + 1]).write_text(json.dumps(told, indent=1), encoding="utf-8")
     wrong = [f"{name}: {what}" for name, said in told["specimens"].items() for what, holds in (
