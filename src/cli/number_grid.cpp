@@ -1,10 +1,10 @@
 #include "cli/number_grid.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
 #include "core/error.hpp"
+#include "core/parts_of.hpp"
 #include "core/units.hpp"
 
 namespace overturn::cli {
@@ -20,16 +20,6 @@ double positive(std::string_view text, char const* option) {
 }
 
 }  // namespace
-
-std::vector<std::string_view> parts_of(std::string_view text, char between) {
-    std::vector<std::string_view> parts;
-    for (std::size_t from = 0; from <= text.size();) {
-        auto const to = std::min(text.find(between, from), text.size());
-        parts.push_back(text.substr(from, to - from));
-        from = to + 1;
-    }
-    return parts;
-}
 
 std::vector<double> number_grid(std::string_view text, char const* option) {
     std::vector<double> grid;

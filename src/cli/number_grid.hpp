@@ -10,7 +10,4 @@ namespace overturn::cli {
 /// \throws InputError
 [[nodiscard]] std::vector<double> number_grid(std::string_view text, char const* option);
 
-/// What stands between marks; one empty part of an empty text.
-[[nodiscard]] std::vector<std::string_view> parts_of(std::string_view text, char between);
-
 }  // namespace overturn::cli

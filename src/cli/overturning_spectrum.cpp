@@ -8,6 +8,7 @@
 #include "body/rigid_body.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/number_grid.hpp"
+#include "cli/stated_block.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "generators/pulse_shape.hpp"
@@ -22,13 +23,9 @@ constexpr int samples_per_period = 2000;  // chords miss a sine by 1.2e-6 of its
 RockingBlock stated_block(OverturningOptions const& options) {
     validate(options.p.has_value() && !options.alpha.empty() && options.restitution.has_value(),
              "--overturning (no body). State --body, or all of --p, --alpha and --restitution");
-    double const alpha = parse_quantity(options.alpha, Dimension::angle);
-    validate(alpha > 0 && alpha < pi / 2, "--alpha {} (must lie between 0 and 90 deg). Mend it", options.alpha);
+    double const alpha = stated_alpha(options.alpha);
     validate(*options.p > 0 && std::isfinite(*options.p), "--p {} (rad/s, above 0). Mend it", *options.p);
-    validate(*options.restitution >= 0 && *options.restitution <= 1,
-             "--restitution {} (angular velocity behind an impact over that before it, 0 to 1). Mend it",
-             *options.restitution);
-    return {.alpha_rad = alpha, .p_radps = *options.p, .restitution = *options.restitution};
+    return {.alpha_rad = alpha, .p_radps = *options.p, .restitution = stated_restitution(*options.restitution)};
 }
 
 void take_body(output::OverturningSpectrum& spectrum, OverturningOptions const& options, std::string const& body) {
@@ -39,11 +36,7 @@ void take_body(output::OverturningSpectrum& spectrum, OverturningOptions const& 
     }
     validate(!options.p && options.alpha.empty() && !options.restitution,
              "--p, --alpha and --restitution beside --body (it states them). Leave one of them out");
-    auto const spec = load_body(body);
-    validate(!spec.body.needs_planar_rocking(),
-             "{}: slope, offset or initial tilt (an overturning spectrum is of a symmetric body at rest). Leave it out",
-             body);
-    note_warnings(warnings_of(spec));
+    auto const spec = symmetric_body(body, "an overturning spectrum");
     spectrum.block = block_of(spec.body);
     spectrum.body = spec.name;
 }

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
+#include "core/parts_of.hpp"
 #include "core/wrapped.hpp"
 #include "output/curve_text.hpp"
 #include "output/detail/criterion_text.hpp"
@@ -133,13 +134,14 @@ std::vector<std::string_view> section_names() {
 
 std::vector<std::string> read_sections(std::string const& text) {
     std::vector<std::string> names;
-    for (std::size_t begin = 0; begin <= text.size() && !text.empty();) {
-        auto const end = std::min(text.find(',', begin), text.size());
-        names.push_back(text.substr(begin, end - begin));
-        auto const known = section_names();
-        validate(std::ranges::find(known, names.back()) != known.end(),
-                 "--section '{}' (no such section). There are {}", names.back(), fmt::join(known, ", "));
-        begin = end + 1;
+    if (text.empty()) {
+        return names;
+    }
+    auto const known = section_names();
+    for (auto const part : parts_of(text, ',')) {
+        validate(std::ranges::find(known, part) != known.end(), "--section '{}' (no such section). There are {}", part,
+                 fmt::join(known, ", "));
+        names.emplace_back(part);
     }
     return names;
 }

@@ -2,9 +2,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "body/rigid_body.hpp"
 #include "contact/planar_contact.hpp"
 #include "core/units.hpp"
+#include "qualify/detail/type_a.hpp"
 #include "qualify/known_answers.hpp"
 #include "spatial/spatial_motion.hpp"
 
@@ -12,14 +12,6 @@ namespace overturn::qualify {
 namespace {
 
 constexpr Friction grip{0.8, 0.8};
-
-RigidBody type_a() {
-    constexpr double mass = 12.6e3, half_width = 0.68, height = 1.045;
-    return RigidBody({.mass_kg = mass,
-                      .half_width_m = half_width,
-                      .centre_height_m = height,
-                      .inertia_kgm2 = mass * (half_width * half_width + height * height) / 3});
-}
 
 // Where a body is that is let go above its pad, in the end.
 struct LastInstant : ContactObserver {

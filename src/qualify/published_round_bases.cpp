@@ -4,26 +4,18 @@
 #include <cstddef>
 #include <vector>
 
-#include "body/rigid_body.hpp"
 #include "core/units.hpp"
 #include "qualify/detail/published_parts.hpp"
+#include "qualify/detail/type_a.hpp"
 #include "spatial/rolling_cylinder.hpp"
 #include "spatial/spatial_motion.hpp"
 
 namespace overturn::qualify {
 namespace {
 
-RigidBody cask() {
-    constexpr double mass = 12.6e3, half_width = 0.68, height = 1.045;
-    return RigidBody({.mass_kg = mass,
-                      .half_width_m = half_width,
-                      .centre_height_m = height,
-                      .inertia_kgm2 = mass * (half_width * half_width + height * height) / 3});
-}
-
 SpatialBlock on_its_rim(Pad const& pad, double friction) {
     Footing const footing{.base = {.shape = BaseShape::round, .points = 0}, .pad = pad, .stated = true};
-    return spatial_block(cask(), footing, Friction{friction, friction});
+    return spatial_block(type_a(), footing, Friction{friction, friction});
 }
 
 struct LastPose : SpatialObserver {

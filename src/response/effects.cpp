@@ -4,6 +4,7 @@
 #include <array>
 
 #include "config/registry.hpp"
+#include "core/parts_of.hpp"
 #include "core/units.hpp"
 #include "response/registry.hpp"
 
@@ -36,10 +37,8 @@ EffectRequest parse_effects(std::string const& text) {
         return parse_effect_mode(text);
     }
     std::vector<std::string> names;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        auto const comma = std::min(text.find(',', begin), text.size());
-        names.emplace_back(trimmed(std::string_view(text).substr(begin, comma - begin)));
-        begin = comma + 1;
+    for (auto const part : parts_of(text, ',')) {
+        names.emplace_back(trimmed(part));
     }
     return parse_effect_list(names);
 }

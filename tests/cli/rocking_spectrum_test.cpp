@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "support/command.hpp"
+#include "support/spectrum_verb.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -14,8 +14,9 @@ using nlohmann::json;
 
 constexpr double gravity = 9.80665;
 
-class RockingSpectrum : public ::testing::Test {
+class RockingSpectrum : public SpectrumVerb {
   protected:
+    RockingSpectrum() : SpectrumVerb({"--unit", "m/s2"}) {}
     void SetUp() override {
         // Ground that moves at 0.45 m/s after 10 ms.
         folder.write("step.csv", "time,a\n0,0\n0.005,90\n0.01,0\n0.015,0\n0.02,0\n0.025,0\n");
@@ -24,17 +25,6 @@ class RockingSpectrum : public ::testing::Test {
             wave += fmt::format("{:.2f},{:.9f}\n", 0.01 * i, 4 * std::sin(2 * M_PI * 0.01 * i));
         }
         folder.write("wave.csv", wave);
-    }
-    Ended done(std::vector<std::string> const& arguments) {
-        auto ended = overturn(folder, joined({"spectrum", "--unit", "m/s2"}, arguments));
-        EXPECT_EQ(ended.code, 0) << ended.err;
-        return ended;
-    }
-    void refused(std::vector<std::string> const& arguments, std::string const& why) {
-        auto const ended = overturn(folder, joined({"spectrum"}, arguments));
-        EXPECT_EQ(ended.code, 2) << why;
-        EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
-        EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
     }
 
     // Of a block after the step: what turns it while the ground moves, then energy, cos(alpha - theta) = cos(alpha -
@@ -56,8 +46,6 @@ class RockingSpectrum : public ::testing::Test {
         }
         return std::cos(alpha - theta) + omega * omega / (2 * p * p);
     }
-
-    Folder folder;
 };
 
 // The step, then the closed form of energy.
@@ -142,13 +130,7 @@ TEST_F(RockingSpectrum, TextIsRoundedUpAndCsvIsExact) {
 }
 
 TEST_F(RockingSpectrum, FigureIsDrawnFromTheSameNumbers) {
-    folder.write("interpreter", "#!/bin/sh\ncp \"$4\" \"$5\"\n");
-    std::filesystem::permissions(folder / "interpreter", std::filesystem::perms::owner_all);
-    ::setenv("OVERTURN_PYTHON", (folder / "interpreter").c_str(), 1);
-    auto const shown = done({"--wave", "wave.csv", "--rocking", "--plot", "r.svg", "--json"});
-    ::unsetenv("OVERTURN_PYTHON");
-
-    EXPECT_EQ(json::parse(folder.read("r.svg")), json::parse(shown.out));
+    expect_drawn_from_the_same_numbers({"--wave", "wave.csv", "--rocking"});
 }
 
 TEST_F(RockingSpectrum, ResponseSpectraAreAtStatedPeriods) {

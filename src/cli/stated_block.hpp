@@ -1,0 +1,21 @@
+/// The block whose spectrum over pulses or sizes is asked for, stated by --alpha and --restitution or by --body.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "campaign/body_spec.hpp"
+
+namespace overturn::cli {
+
+/// "14 deg", between 0 and 90 degrees [rad]. \throws InputError
+[[nodiscard]] double stated_alpha(std::string_view text);
+
+/// Of --restitution, from 0 to 1. \throws InputError
+[[nodiscard]] double stated_restitution(double value);
+
+/// A body file's, with its warnings on stderr. \param spectrum names what is asked for in messages: "a rocking
+/// spectrum" \throws InputError where it has slope, offset or initial tilt
+[[nodiscard]] BodySpec symmetric_body(std::string const& file, char const* spectrum);
+
+}  // namespace overturn::cli
