@@ -87,6 +87,7 @@ int qualify_here(QualifyOptions const& options, parallel::Communicator const& co
     return std::stoi(broadcast_from_root(comm, [&] {
         qualify::Qualification const shown{
             .checks = bench ? installation_checks(bench->folder(), campaign) : qualify::published(),
+            .left_out = bench ? std::vector<qualify::LeftOut>{} : qualify::left_out_of_published(),
             .program = program_identity(),
             .machine = machine(),
             .compiler = compiler(),

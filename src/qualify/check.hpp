@@ -14,13 +14,21 @@ struct Check {
     double found = 0, expected = 0;
     double tolerance = 0;     ///< largest |found - expected| that passes
     std::string remark = {};  ///< what else a reader may want to know
+    /// Why a published number is another one than what is right; empty: it is to be met. No failure then.
+    std::string differs_because = {};
 
     [[nodiscard]] double error() const;
-    /// False also where nothing finite was found.
+    /// Within the tolerance; false also where nothing finite was found.
+    [[nodiscard]] bool agrees() const;
     [[nodiscard]] bool passed() const;
 };
 
 using Checks = std::vector<Check>;
+
+/// A published result that is not among the checks, and why.
+struct LeftOut {
+    std::string result, source, reason;
+};
 
 /// A check whose tolerance is a share of what is expected.
 [[nodiscard]] Check relative(std::string number, std::string shows, std::string source, std::string unit, double found,

@@ -6,13 +6,14 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "output/record_page.hpp"
 
 namespace overturn::qualify {
 namespace {
 
-char const* word(bool passed) { return passed ? "PASS" : "FAIL"; }
+char const* word(Check const& check) { return check.agrees() ? "PASS" : check.passed() ? "DIFF" : "FAIL"; }
 
 // Counts need no tolerance.
 std::string found_text(Check const& check) {
@@ -25,13 +26,29 @@ std::string found_text(Check const& check) {
 }
 
 std::string with_remark(std::string text, Check const& check) {
-    return check.remark.empty() ? text : std::move(text) + "; " + check.remark;
+    for (auto const& more : {check.remark, check.agrees() ? std::string() : check.differs_because}) {
+        text += more.empty() ? "" : "; " + more;
+    }
+    return text;
 }
+
+std::string with_source(LeftOut const& left) { return fmt::format("{} ({})", left.result, left.source); }
 
 std::string verdict(Qualification const& shown) {
     auto const failed = std::ranges::count_if(shown.checks, [](Check const& check) { return !check.passed(); });
-    return failed == 0 ? fmt::format("all {} checks pass", shown.checks.size())
-                       : fmt::format("{} of {} checks FAIL", failed, shown.checks.size());
+    if (failed > 0) {
+        return fmt::format("{} of {} checks FAIL", failed, shown.checks.size());
+    }
+    std::vector<std::string> apart;
+    for (auto const& check : shown.checks) {
+        if (!check.agrees()) {
+            apart.push_back(check.number);
+        }
+    }
+    auto const agree = shown.checks.size() - apart.size();
+    return apart.empty() ? fmt::format("all {} checks pass", agree)
+                         : fmt::format("{} checks pass, and {} differ from what is printed, each for its reason: {}",
+                                       agree, apart.size(), fmt::join(apart, ", "));
 }
 
 std::vector<std::pair<std::string, std::string>> circumstances(Qualification const& shown) {
@@ -55,8 +72,11 @@ bool Qualification::passed() const { return std::ranges::all_of(checks, &Check::
 std::string text_of(Qualification const& shown) {
     std::string text;
     for (auto const& check : shown.checks) {
-        fmt::format_to(std::back_inserter(text), "{}  {}  {} ({}): {}\n", word(check.passed()), check.number,
-                       check.shows, check.source, with_remark(found_text(check), check));
+        fmt::format_to(std::back_inserter(text), "{}  {}  {} ({}): {}\n", word(check), check.number, check.shows,
+                       check.source, with_remark(found_text(check), check));
+    }
+    for (auto const& left : shown.left_out) {
+        fmt::format_to(std::back_inserter(text), "left out: {}: {}\n", with_source(left), left.reason);
     }
     for (auto const& [name, value] : circumstances(shown)) {
         fmt::format_to(std::back_inserter(text), "{}: {}\n", name, value);
@@ -70,18 +90,24 @@ nlohmann::ordered_json json_of(Qualification const& shown) {
     for (auto const& check : shown.checks) {
         checks.push_back({{"number", check.number},
                           {"passed", check.passed()},
+                          {"agrees", check.agrees()},
                           {"shows", check.shows},
                           {"source", check.source},
                           {"unit", check.unit},
                           {"found", std::isfinite(check.found) ? Json(check.found) : Json(nullptr)},
                           {"expected", check.expected},
                           {"tolerance", check.tolerance},
-                          {"remark", check.remark}});
+                          {"remark", check.remark},
+                          {"differs_because", check.agrees() ? "" : check.differs_because}});
     }
-    return {{"passed", shown.passed()},   {"program", shown.program},     {"machine", shown.machine},
-            {"compiler", shown.compiler}, {"libraries", shown.libraries}, {"mpi", shown.mpi},
-            {"ranks", shown.ranks},       {"folder", shown.folder},       {"date", shown.date},
-            {"checks", std::move(checks)}};
+    auto left_out = Json::array();
+    for (auto const& left : shown.left_out) {
+        left_out.push_back({{"result", left.result}, {"source", left.source}, {"reason", left.reason}});
+    }
+    return {{"passed", shown.passed()},    {"program", shown.program},       {"machine", shown.machine},
+            {"compiler", shown.compiler},  {"libraries", shown.libraries},   {"mpi", shown.mpi},
+            {"ranks", shown.ranks},        {"folder", shown.folder},         {"date", shown.date},
+            {"checks", std::move(checks)}, {"left_out", std::move(left_out)}};
 }
 
 std::string page_of(Qualification const& shown) {
@@ -91,8 +117,11 @@ std::string page_of(Qualification const& shown) {
                             .rows = {}};
     for (auto const& check : shown.checks) {
         page.rows.push_back(
-            {{word(check.passed()), check.number, check.shows, check.source, with_remark(found_text(check), check)},
+            {{word(check), check.number, check.shows, check.source, with_remark(found_text(check), check)},
              check.passed()});
+    }
+    for (auto const& left : shown.left_out) {
+        page.rows.push_back({{"left out", "", left.result, left.source, left.reason}, true});
     }
     return output::html_of(page);
 }

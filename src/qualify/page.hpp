@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -12,6 +13,7 @@ namespace overturn::qualify {
 /// What was checked where.
 struct Qualification {
     Checks checks;
+    std::vector<LeftOut> left_out = {};
     std::string program, machine, compiler, libraries, mpi, folder;
     int ranks = 1;
     std::string date = {};  ///< as the user states it; empty: none is told
@@ -19,7 +21,7 @@ struct Qualification {
     [[nodiscard]] bool passed() const;
 };
 
-/// One line per check, then the sum of them.
+/// One line per check, then what is left out, then the sum of them with all that differ from their source.
 [[nodiscard]] std::string text_of(Qualification const& shown);
 [[nodiscard]] nlohmann::ordered_json json_of(Qualification const& shown);
 /// One page of HTML that needs no network.

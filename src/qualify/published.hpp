@@ -2,13 +2,19 @@
 /// difference. A minute at most.
 #pragma once
 
+#include <vector>
+
 #include "qualify/check.hpp"
 
 namespace overturn::qualify {
 
 /// Pulses that overturn, steady rocking and slip, initiation, impulses, landing, fitted examples, a round base (L-..),
-/// and the published numbers among the known answers of an installation. The remark says what was derived again, and
-/// what the difference is of.
+/// the published numbers among the known answers of an installation, and printed numbers that are wrong (D-..). The
+/// remark says what was derived again, and what the difference is of.
 [[nodiscard]] Checks published();
+
+/// What others published and is not among these checks: because it could not be consulted, or hangs on data that are
+/// not part of this program.
+[[nodiscard]] std::vector<LeftOut> left_out_of_published();
 
 }  // namespace overturn::qualify

@@ -9,6 +9,8 @@ namespace overturn::qualify {
 [[nodiscard]] Checks published_fits();
 /// Impulses, bounds and impacts of the block in a plane.
 [[nodiscard]] Checks published_impulses();
+/// Printed numbers that are wrong, and why. \param least_half_sine over alpha g, at omega/p 4, of the linearised block
+[[nodiscard]] Checks published_apart(double least_half_sine);
 /// A round base: rolling, and no direction.
 [[nodiscard]] Checks published_round_bases();
 
