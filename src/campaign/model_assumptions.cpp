@@ -107,8 +107,8 @@ constexpr std::array assumptions{
                     "Housner 1963", always},
     ModelAssumption{"one-plane", "the body moves in one vertical plane", Misjudged::unsafe,
                     "waves.transverse and bodies.axes",
-                    "overturned of 150, one axis and two: square on corners 4 and 4 (A), 93 and 103 (B); flat 44 and "
-                    "75, 118 and 128; round 29 and 120, 113 and 150",
+                    "overturned of 300, one axis and two: square on corners 12 and 13 (A), 190 and 208 (B); flat 97 "
+                    "and 154, 239 and 259; round 60 and 240, 230 and 300",
                     "campaigns/multi_axis.toml", where_no_second_component},
     ModelAssumption{"no-vertical-motion", "the ground does not move vertically", Misjudged::unsafe,
                     "waves.vertical and bodies.axes",
