@@ -256,6 +256,21 @@ class Paper(Page):
         self.item("Eq. 6: V_WES < V_Ereq does not overturn", "", DIFFERS if fell and all(fell) else
                   REPRODUCED if not any(fell) and enough and all(enough) else UNKNOWN, ". ".join(why), rows=rows)
 
+    def criterion_in_space(self):
+        rows, fell, most = [["body", "V_WES called safe, of what uplifted", "of these fell", "lowest V_WES / V_Ereq that fell"]], [], []
+        for c in self.json("space")["criterion"]:
+            if c["measure"] == "v_wes" and c["radius_unit"] == "cm":
+                count, of = (c[f"false_safe_share_uplifted_{part}"] for part in ("count", "of"))
+                lowest = c["ratio_at_overturning_lowest"]
+                fell += [f"{c['body']} ({count} of {of})"] if count else []
+                most.append(c["false_safe_share_waves_uplifted_upper"] if of else 1)
+                rows.append([c["body"], of, count, "none fell" if lowest is None else f"{lowest:.2f}"])
+        why = (f"not conservative, of those that uplifted and were called safe fell: {words.listed(fell)}" if fell else
+               f"none that uplifted and was called safe fell; by the waves of a body at most {100 * max(most):.2g} % of waves would")
+        self.item("Eq. 6 in space: on a flat bed and a round rim", "V_WES of the first axis, R in cm",
+                  DIFFERS if fell else REPRODUCED if max(most) <= words.ALIKE else UNKNOWN,
+                  why + ". V_WES knows of one component; two of equal strength offer 1.4 times as much", rows=rows)
+
     def axes(self):
         study = Study(self.folder / "axes.h5")
         rows, all_three, two = [["body", "one axis", "two", "three", "of"]], {}, {}
@@ -277,7 +292,7 @@ class Paper(Page):
 
     def collect(self):
         for part in (self.factors, self.similarity, self.specimens, self.waves, self.sinusoids, self.histories, self.response,
-                     self.plateau, self.criterion, self.axes, self.vertical):
+                     self.plateau, self.criterion, self.criterion_in_space, self.axes, self.vertical):
             part()
         return self
 

@@ -144,6 +144,20 @@ def criterion(folder):
     expect(told((0, 0, 1)), words.UNKNOWN, "not tried")
 
 
+def criterion_in_space(folder):
+    def told(*found):
+        data = [{"body": body, "measure": "v_wes", "radius_unit": unit, "false_safe_share_uplifted_count": fell, "false_safe_share_uplifted_of": of,
+                 "false_safe_share_waves_uplifted_upper": upper, "ratio_at_overturning_lowest": 0.9 if fell else None}
+                for body, unit, fell, of, upper in found]
+        (folder / "space.json").write_text(json.dumps({"criterion": data}), encoding="utf-8")
+        return items(folder, "criterion_in_space")["Eq. 6 in space"]
+    flat = ("flat", "cm", 0, 50, 0.07)
+    expect(told(flat, ("round", "cm", 13, 110, 0.34)), words.DIFFERS, "fell: round (13 of 110)")
+    expect(told(flat, ("round", "m", 13, 110, 0.34)), words.REPRODUCED, "at most 7 % of waves")
+    expect(told(flat, ("corners", "cm", 0, 1, 0.975)), words.UNKNOWN, "at most 98 % of waves")
+    expect(told(flat, ("corners", "cm", 0, 0, 0)), words.UNKNOWN)
+
+
 def sinusoids(folder):
     """Five frequencies at which Eq. 1 gives 0.1 alpha, and one at which nothing lifts off."""
     def told(full, linear):
@@ -185,5 +199,5 @@ def numbers():
 
 with tempfile.TemporaryDirectory() as scratch:
     numbers()
-    for part in (vertical, axes, outcomes, curve, criterion, sinusoids):
+    for part in (vertical, axes, outcomes, curve, criterion, criterion_in_space, sinusoids):
         part(pathlib.Path(scratch))
