@@ -16,7 +16,7 @@ foreach(source IN LISTS sources)
   file(SHA256 "${SOURCE_DIR}/${source}" digest)
   string(APPEND digests "${digest}  ${source}\n")
 endforeach()
-string(APPEND digests "${FLAGS}\n")  # a builder's own: CXXFLAGS, -DCMAKE_CXX_FLAGS=...
+string(APPEND digests "${FLAGS}\n")  # CXXFLAGS, -DCMAKE_CXX_FLAGS=..., those of the build type
 string(SHA256 sources_sha256 "${digests}")
 set(text "#define OVERTURN_GIT_REVISION \"${revision}\"\n#define OVERTURN_SOURCES_SHA256 \"${sources_sha256}\"\n")
 if(EXISTS "${HEADER}")

@@ -66,7 +66,11 @@ TEST(CampaignInput, BlocksBelongToCampaignProgramAndMachine) {
     program.program += "+";
     auto machine = base;
     machine.machine = "another";
-    for (auto const& other : {text, program, machine}) {
+    auto other_compiler = base;
+    auto const place = other_compiler.libraries.find(compiler());
+    ASSERT_NE(place, std::string::npos) << base.libraries;
+    other_compiler.libraries.replace(place, compiler().size(), "GCC 99");
+    for (auto const& other : {text, program, machine, other_compiler}) {
         EXPECT_NE(other.block_key(), base.block_key());
     }
     EXPECT_EQ(program.sha256(), base.sha256());
