@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "campaign/waves_per_look.hpp"
 #include "core/error.hpp"
 
 namespace overturn {
@@ -9,8 +10,13 @@ namespace {
 
 constexpr std::int64_t ids_per_level = 1'000'000'000;
 // See worker.hpp for what a block's length costs and saves.
-constexpr std::int64_t blocks_wanted = 256;  // enough for a workstation to balance, few enough to merge at once
-constexpr std::int64_t largest_block = 64;   // waves: some seconds, which a killed rank loses
+constexpr std::int64_t blocks_wanted = 256;        // enough for a workstation to balance, few enough to merge at once
+constexpr std::int64_t many_blocks_wanted = 4096;  // of campaigns that are worth a thousand ranks
+constexpr std::int64_t shortest_of_many = 16;      // waves: for these blocks do not get shorter, a tenth of a second
+constexpr std::int64_t largest_block = 64;         // waves: some seconds, which a killed rank loses
+// What is given up when a rank has to leave. A trial on points takes 5 ms to 30 ms, and longer on a stiff pad.
+constexpr double longest_block_s = 5;
+constexpr double trial_on_points_s = 0.03;
 constexpr std::int64_t most_block_trials = 1 << 16U;  // in a block of several waves: 20 MB of rows
 constexpr std::int64_t unmeasured_block = 128;        // waves at least: 0.2 ms each, a commit takes 1 ms to 6 ms
 constexpr std::int64_t most_blocks = 1 << 20U;        // files, 1024 in a folder
@@ -29,17 +35,46 @@ std::int64_t may_be_drawn(CampaignSpec const& spec) {
     return available ? static_cast<std::int64_t>(*available) : spec.wave_count * acceptance.most_drawn;
 }
 
-// Looks at a target come at the ends of blocks, so that a campaign which has one keeps them short, and their ends where
-// they are. Else a block is no longer than a rank, and the one that merges, can hold many of.
-std::int64_t waves_per_block(std::int64_t waves, std::int64_t trials_per_wave, CampaignSpec const& spec) {
-    bool const quick = !spec.measures.energy && !spec.measures.wave_quality && !spec.has_target();
+bool has_input(CampaignSpec const& spec, std::string_view key, std::string_view value = {}) {
+    return std::ranges::any_of(spec.inputs, [&](config::InputValue const& input) {
+        return input.key.starts_with(key) && input.basis != config::Basis::by_default
+               && (value.empty() || input.text == value);
+    });
+}
+
+// How many trials of a wave may run on points, which are a hundred times as dear as others.
+std::int64_t trials_on_points(CampaignSpec const& spec, std::int64_t levels) {
+    auto const points = mask_of(Effect::contact) | mask_of(Effect::spatial);
+    bool const across = has_input(spec, "waves.transverse") || has_input(spec, "waves.source", "records");
+    return levels * std::ranges::count_if(spec.bodies, [&](BodySpec const& body) {
+               return body.footing.stated || (spec.effects.include & points) != 0 || (across && body.axes > 1);
+           });
+}
+
+// By what the campaign says, not by a clock: ranks, parts and resumed runs cut it alike. A block is no longer than a
+// rank, and the one that merges, can hold many of. Looks at a target come at the ends of blocks.
+std::int64_t waves_per_block(std::int64_t waves, std::int64_t trials_per_wave, std::int64_t on_points,
+                             CampaignSpec const& spec) {
+    bool const quick = !spec.measures.energy && !spec.measures.wave_quality && !spec.has_target() && on_points == 0;
     auto const least = quick ? std::min(unmeasured_block, waves) : 1;
-    auto const wanted = std::max(std::clamp(waves / blocks_wanted, std::int64_t{1}, largest_block), least);
-    auto const most = spec.has_target() ? wanted : std::max(std::int64_t{1}, most_block_trials / trials_per_wave);
-    return std::max(std::min(wanted, most), (waves + most_blocks - 1) / most_blocks);
+    auto const of_many = std::clamp(waves / many_blocks_wanted, shortest_of_many, largest_block);
+    auto const wanted = std::max(std::min(waves_per_look(waves), of_many), least);
+    auto const soon = longest_block_s / (trial_on_points_s * static_cast<double>(std::max<std::int64_t>(on_points, 1)));
+    auto const most = std::min(most_block_trials / trials_per_wave,
+                               on_points > 0 ? static_cast<std::int64_t>(soon) : most_block_trials);
+    auto size = std::max(std::min(wanted, std::max<std::int64_t>(most, 1)), (waves + most_blocks - 1) / most_blocks);
+    while (spec.has_target() && waves_per_look(waves) % size != 0) {
+        --size;
+    }
+    return size;
 }
 
 }  // namespace
+
+std::int64_t waves_per_look(std::int64_t waves) {
+    return std::max(std::clamp(waves / blocks_wanted, std::int64_t{1}, largest_block),
+                    (waves + most_blocks - 1) / most_blocks);
+}
 
 Plan::Plan(CampaignSpec const& spec)
     : independent_(spec.levels.independent_waves),
@@ -49,7 +84,8 @@ Plan::Plan(CampaignSpec const& spec)
       waves_(drawn_per_group_ * groups_of(spec)),
       bodies_(std::ssize(spec.bodies)),
       levels_per_wave_(independent_ ? 1 : std::ssize(spec.levels.levels)),
-      block_size_(waves_per_block(count_ * groups_of(spec), bodies_ * levels_per_wave_, spec)),
+      block_size_(waves_per_block(count_ * groups_of(spec), bodies_ * levels_per_wave_,
+                                  trials_on_points(spec, levels_per_wave_), spec)),
       extra_bytes_(static_cast<std::int64_t>(ModelSelector(spec.effects, spec.accuracy).extra_bytes())) {
     for (auto const& level : spec.levels.levels) {
         level_keys_.push_back(level.key());

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "campaign/waves_per_look.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
 
@@ -133,6 +134,36 @@ TEST(Plan, BlocksAreFewAndShort) {
     }
 }
 
+// R-1303: a thousand ranks have something to do each, and looks at a target stay where they are.
+TEST(Plan, LargeCampaignsHaveManyBlocks) {
+    auto spec = campaign(16384, "[3]");
+    EXPECT_EQ(Plan(spec).block_size(), 16);
+    EXPECT_EQ(waves_per_look(16384), 64);
+    EXPECT_EQ(Plan(campaign(1'000'000, "[3]")).block_size(), 64);
+    spec.limits.front().target.half_width = 0.1;
+    EXPECT_EQ(Plan(spec).block_size(), 16);
+}
+
+// R-1102: of trials on points, a hundred times as dear, a block holds no more than some seconds' worth, so that a run
+// which has to leave has something to keep; a target is looked at after whole blocks.
+TEST(Plan, BlocksOfTrialsOnPointsAreShort) {
+    auto spec = campaign(20'000, "[1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16,17,18,19,20,21,22,23,24,25]");
+    ASSERT_EQ(Plan(spec).trials_per_wave(), 50);
+    EXPECT_EQ(Plan(spec).block_size(), 16);
+    spec.bodies.front().footing.stated = true;
+    EXPECT_EQ(Plan(spec).block_size(), 6);
+    spec.bodies.back().footing.stated = true;
+    EXPECT_EQ(Plan(spec).block_size(), 3);
+    spec.limits.front().target.half_width = 0.1;
+    EXPECT_EQ(Plan(spec).block_size(), 2);
+    EXPECT_EQ(waves_per_look(20'000) % Plan(spec).block_size(), 0);
+
+    auto forced = campaign(20'000, "[3]");
+    forced.effects.include = mask_of(Effect::contact);
+    forced.measures.energy = forced.measures.wave_quality = false;
+    EXPECT_EQ(Plan(forced).block_size(), 16) << "not 128, as of waves that are not measured";
+}
+
 // R-1303: where a wave costs less than its commit, many share one; but for a campaign that looks at a target.
 TEST(Plan, BlocksOfWhatIsNotMeasuredAreLong) {
     auto spec = campaign(4000, "[3]");
@@ -151,12 +182,13 @@ TEST(Plan, BlocksOfWhatIsNotMeasuredAreLong) {
 
 // R-1303: the rows of a block fit beside a rank's own work, however many levels a wave has.
 TEST(Plan, BlocksOfVeryManyLevelsAreShort) {
-    auto spec = campaign(20'000, "{from=1,to=9,count=2000}");  // two bodies
-    EXPECT_EQ(Plan(spec).block_size(), 16) << "65 536 trials, 64 waves otherwise";
+    auto spec = campaign(20'000, "{from=1,to=9,count=4000}");  // two bodies
+    EXPECT_EQ(Plan(spec).block_size(), 8) << "65 536 trials, 16 waves otherwise";
     spec.measures.energy = spec.measures.wave_quality = false;
-    EXPECT_EQ(Plan(spec).block_size(), 16);
+    EXPECT_EQ(Plan(spec).block_size(), 8);
     spec.limits.front().target.half_width = 0.1;
-    EXPECT_EQ(Plan(spec).block_size(), 64) << "looks at a target stay where they were";
+    EXPECT_EQ(Plan(spec).block_size(), 8);
+    EXPECT_EQ(waves_per_look(20'000), 64) << "looks at a target stay where they were";
     EXPECT_EQ(Plan(campaign(3, "{from=1,to=9,count=50000}")).block_size(), 1);
 }
 

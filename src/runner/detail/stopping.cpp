@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "campaign/block_rows.hpp"
+#include "campaign/waves_per_look.hpp"
 #include "results/analysis.hpp"
 #include "results/statistics.hpp"
 #include "stats/precision.hpp"
@@ -67,7 +68,8 @@ void look(CampaignSpec const& spec, Statistics const& statistics, std::size_t bo
 
 std::vector<std::int64_t> stopping_points(CampaignSpec const& spec, Plan const& plan) {
     constexpr std::int64_t least_waves = 32;  // fewer say little, and resampling them says it too surely
-    return spec.has_target() ? looks(plan.block_size(), least_waves, plan.count()) : std::vector<std::int64_t>{};
+    return spec.has_target() ? looks(waves_per_look(plan.asked()), least_waves, plan.count())
+                             : std::vector<std::int64_t>{};
 }
 
 TargetLook look_at_target(CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
