@@ -1,11 +1,15 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "campaign/accepted_waves.hpp"
 #include "campaign/plan.hpp"
+#include "cli/json_values.hpp"
 #include "cli/verbs.hpp"
 #include "output/failed_trials.hpp"
 #include "output/status_text.hpp"
@@ -23,7 +27,23 @@
 namespace overturn::cli {
 namespace {
 
-int status_of_file(std::string const& path, Unverified const& unverified) {
+// What is told of a file or a run: lines for people, facts for scripts.
+struct Told {
+    int code = done;
+    std::string state;      ///< the line that says how far it is
+    std::string more = {};  ///< lines behind it
+    Json facts = Json::object();
+};
+
+Json counts_json(WaveCounts const& waves, std::int64_t planned) {
+    return {{"counted", waves.waves}, {"planned", planned}, {"refused", waves.refused}, {"failed", waves.failed}};
+}
+
+std::int64_t trials_of(CampaignSpec const& spec, std::int64_t waves) {
+    return waves * std::ssize(spec.bodies) * Plan(spec).level_count();
+}
+
+Told told_of_file(std::string const& path, Unverified const& unverified) {
     store::ResultsReader const file(path, unverified.trust());
     auto const spec = parse_campaign(input_of(file));
     bool const changed = unverified.warn_if_changed(file, path);
@@ -33,14 +53,14 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
     auto const done_waves = counted.waves().waves;
     Plan const drawn(spec);
     auto const planned = spec.has_target() ? drawn.asked() : done_waves;
-    fmt::print("{}: {}\n", path,
-               output::complete_text({.title = file.text("title"),
-                                      .trials = std::ssize(verdicts),
-                                      .waves = done_waves,
-                                      .planned = planned,
-                                      .waves_text = waves,
-                                      .changed = changed}));
-    fmt::print("{}", output::missed_clauses_text(counted.missed_clauses()));
+    Told told;
+    told.state = output::complete_text({.title = file.text("title"),
+                                        .trials = std::ssize(verdicts),
+                                        .waves = done_waves,
+                                        .planned = planned,
+                                        .waves_text = waves,
+                                        .changed = changed});
+    told.more = output::missed_clauses_text(counted.missed_clauses());
     auto const reasons =
         file.has("trials/failure")
             ? file.named("trials/failure", field_named(fields_of<TrialRow>(), "failure").categories)
@@ -55,6 +75,7 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
         row.acceptance_failures = clauses.at(i);
         failed.know(row);
     }
+    std::int64_t failures = 0;
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
         if (verdicts[i] == Verdict::failed) {
             TrialRow row;
@@ -62,17 +83,24 @@ int status_of_file(std::string const& path, Unverified const& unverified) {
             row.failure = static_cast<FailureReason>(reasons.at(i));
             std::int64_t const number = i;
             failed.add(number, failed.lists_more() ? read_trial(file, spec, number).rows.front() : row);
+            ++failures;
         }
     }
-    fmt::print("{}", failed.text());
+    told.more += failed.text();
     if (auto const known = store::known_errors_of(file.integer("format_version")); !known.empty()) {
-        fmt::print("{}\n", known.substr(1));
+        told.more += known.substr(1) + '\n';
     }
-    return done;
+    told.facts = {
+        {"complete", true},
+        {"edited", changed},
+        {"title", file.text("title")},
+        {"waves", counts_json(counted.waves(), planned)},
+        {"trials", {{"counted", verdicts.size()}, {"planned", trials_of(spec, planned)}, {"failed", failures}}}};
+    return told;
 }
 
-void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
-                  std::vector<std::int64_t> const& committed) {
+std::string so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
+                   std::vector<std::int64_t> const& committed) {
     WaveCounts waves;
     MissedClauses missed;
     output::FailedTrials failed(spec);
@@ -95,62 +123,118 @@ void print_so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder
             }
         }
     }
-    if (auto const text = output::waves_text(waves, acceptance, spec.confidence); !text.empty()) {
-        fmt::print("{}\n", output::so_far_text(text));
+    auto const text = output::waves_text(waves, acceptance, spec.confidence);
+    return (text.empty() ? text : output::so_far_text(text) + '\n') + output::missed_clauses_text(missed)
+           + failed.text();
+}
+
+// \param cheap blocks are known by the names of their files, unless a rule for waves asks for their rows
+struct Unfinished {
+    Unfinished(std::string const& path, CampaignInput begun, bool cheap)
+        : input(std::move(begun)),
+          spec(parse_campaign(input)),
+          plan(spec),
+          shards(path, input.block_key()),
+          waves(spec, plan),
+          committed(cheap && !waves.needs_rows() ? shards.listed({0, plan.blocks()})
+                                                 : sound_blocks(shards, plan, {0, plan.blocks()})),
+          under_way(store::Claim::held(shards.folder())) {}
+
+    CampaignInput input;
+    CampaignSpec spec;
+    Plan plan;
+    store::ShardFolder shards;
+    AcceptedWaves waves;
+    std::vector<std::int64_t> committed;
+    bool under_way;
+};
+
+Told told_of_run(Unfinished& run, std::string const& path, std::string_view flag) {
+    auto& [input, spec, plan, shards, waves, committed, under_way] = run;
+    take_rows(waves, plan, shards, committed);
+    auto const left = waves.wanted(plan.count());
+    bool const to_merge = left.empty() && !spec.rare && flag == "--resume";
+    output::Progress const progress{.done = committed.size(),
+                                    .left = left.size(),
+                                    .all = waves.needs_rows() ? std::optional<std::int64_t>() : plan.blocks(),
+                                    .waves_left = left.empty() ? "" : plan.waves_text(left),
+                                    .rare = spec.rare.has_value(),
+                                    .under_way = under_way,
+                                    .next = to_merge ? "overturn merge " + path : resume_command(input, path, flag)};
+    std::int64_t done_waves = 0;
+    for (auto const block : committed) {
+        done_waves += plan.waves_of_block(block).count;
     }
-    fmt::print("{}{}", output::missed_clauses_text(missed), failed.text());
+    Told told{.code = resumable, .state = output::progress_text(progress)};
+    told.facts = {
+        {"complete", false},
+        {"title", spec.title},
+        {"under_way", under_way},
+        {"waves", {{"done", done_waves}, {"planned", plan.asked()}}},
+        {"trials", {{"done", done_waves * plan.trials_per_wave()}, {"planned", trials_of(spec, plan.asked())}}},
+        {"blocks",
+         {{"done", progress.done}, {"left", progress.left}, {"all", progress.all ? Json(*progress.all) : Json()}}},
+        {"waves_left", or_null(!left.empty(), progress.waves_left)},
+        {"rare_left", progress.rare},
+        {"next", or_null(!under_way, progress.next)}};
+    return told;
 }
 
 // A file of before stays until what extends it takes its place.
-int status_of_extension(std::string const& path) {
+std::optional<Told> told_of_extension(std::string const& path, bool cheap) {
     store::ShardFolder const unnamed(path, "");
     auto const record = unnamed.exists() ? unnamed.begun_with() : std::string();
     if (record.empty()) {
-        return done;
+        return std::nullopt;
     }
-    auto const larger = CampaignInput::deserialise(record);
+    auto larger = CampaignInput::deserialise(record);
     if (larger.serialise() == input_of(store::ResultsReader(path, store::Trust::unverified)).serialise()) {
-        return done;
+        return std::nullopt;
     }
-    Plan const plan(parse_campaign(larger));
-    store::ShardFolder const shards(path, larger.block_key());
-    auto const committed = sound_blocks(shards, plan, {0, plan.blocks()});
-    bool const under_way = store::Claim::held(shards.folder());
-    if (committed.empty() && !under_way) {  // begun and refused, or killed before its first block
-        return done;
+    Unfinished run(path, std::move(larger), cheap);
+    if (run.committed.empty() && !run.under_way) {  // begun and refused, or killed before its first block
+        return std::nullopt;
     }
-    fmt::print("{}\n", output::extension_text(plan.count(), committed.size(),
-                                              under_way ? "" : resume_command(larger, path, "--extend")));
-    return resumable;
+    auto told = told_of_run(run, path, "--extend");
+    told.state =
+        output::extension_text(run.plan.count(), run.spec.bodies.size(), run.spec.levels.levels.size(), told.state);
+    return told;
 }
 
-int status(std::string const& path, Unverified const& unverified) {
+Told told_of(std::string const& path, Unverified const& unverified, bool cheap) {
     if (std::filesystem::exists(path)) {
-        int const whole = status_of_file(path, unverified);
-        return whole == done ? status_of_extension(path) : whole;
+        auto file = told_of_file(path, unverified);
+        auto extension = told_of_extension(path, cheap);
+        if (!extension) {
+            file.facts["extension"] = nullptr;
+            return file;
+        }
+        file.code = extension->code;
+        file.more = output::before_extension_text(file.state) + '\n' + file.more;
+        file.state = extension->state;
+        file.facts["extension"] = std::move(extension->facts);
+        return file;
     }
     store::ShardFolder const unnamed(path, "");
     require_begun(unnamed, path);
-    auto const input = CampaignInput::deserialise(unnamed.begun_with());
-    auto const spec = parse_campaign(input);
-    Plan const plan(spec);
+    auto input = CampaignInput::deserialise(unnamed.begun_with());
     require_same_program(input, path);
-    store::ShardFolder const shards(path, input.block_key());
-    auto const committed = sound_blocks(shards, plan, {0, plan.blocks()});
-    print_so_far(spec, plan, shards, committed);
-    AcceptedWaves waves(spec, plan);
-    take_rows(waves, plan, shards, committed);
-    auto const left = waves.wanted(plan.count());
-    bool const to_merge = left.empty() && !spec.rare;
-    fmt::print("{}: {}\n", path,
-               output::progress_text({.done = committed.size(),
-                                      .left = left.size(),
-                                      .all = waves.needs_rows() ? std::optional<std::int64_t>() : plan.blocks(),
-                                      .waves_left = left.empty() ? "" : plan.waves_text(left),
-                                      .rare = spec.rare.has_value(),
-                                      .under_way = store::Claim::held(shards.folder()),
-                                      .next = to_merge ? "overturn merge " + path : resume_command(input, path)}));
-    return resumable;
+    Unfinished run(path, std::move(input), cheap);
+    auto told = told_of_run(run, path, "--resume");
+    told.more = cheap ? std::string() : so_far(run.spec, run.plan, run.shards, run.committed);
+    return told;
+}
+
+int status(std::string const& path, Unverified const& unverified, bool json) {
+    auto const told = told_of(path, unverified, json);
+    if (json) {
+        Json facts{{"file", path}, {"text", told.state}};
+        facts.update(told.facts);
+        fmt::print("{}\n", facts.dump(2, ' ', false, Json::error_handler_t::replace));
+    } else {
+        fmt::print("{}: {}\n{}", path, told.state, told.more);
+    }
+    return told.code;
 }
 
 }  // namespace
@@ -160,8 +244,10 @@ void add_status(CommandLine& line) {
     auto path = std::make_shared<std::string>();
     auto unverified = std::make_shared<Unverified>();
     verb.needs("file", *path, "results file");
+    auto json = std::make_shared<bool>(false);
+    verb.takes("--json", *json, "as JSON; blocks of an unfinished run are counted, not read, and it may be under way");
     unverified->offered_by(verb);
-    verb.does([path, unverified] { return status(*path, *unverified); });
+    verb.does([path, unverified, json] { return status(*path, *unverified, *json); });
 }
 
 }  // namespace overturn::cli

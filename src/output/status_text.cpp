@@ -24,10 +24,18 @@ std::string progress_text(Progress const& of) {
     return fmt::format("{}{}. Go on with: {}", done, what, of.next);
 }
 
-std::string extension_text(std::int64_t waves, std::size_t done, std::string const& next) {
-    return fmt::format("an extension to {} waves is not complete: {} blocks are done beside what this file holds{}",
-                       waves, done, next.empty() ? "; a run is under way" : ". Go on with: " + next);
+std::string extension_text(std::int64_t waves, std::size_t bodies, std::size_t levels, std::string const& progress) {
+    auto const count = [](auto number, char const* one) {
+        return fmt::format("{} {}", number,
+                           number == 1                  ? std::string(one)
+                           : one == std::string("body") ? "bodies"
+                                                        : one + std::string("s"));
+    };
+    return fmt::format("an extension to {}, {} and {} is {}", count(waves, "wave"), count(bodies, "body"),
+                       count(levels, "level"), progress);
 }
+
+std::string before_extension_text(std::string const& complete) { return "the file until then: " + complete; }
 
 std::string so_far_text(std::string const& waves_text) { return waves_text + " so far"; }
 

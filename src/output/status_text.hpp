@@ -31,8 +31,12 @@ struct Progress {
 /// "not complete, 3 of 8 blocks are done, 5 left (waves 24 to 63). Go on with: overturn run ..."
 [[nodiscard]] std::string progress_text(Progress const& of);
 
-/// \param next the command that goes on; empty: a run is under way
-[[nodiscard]] std::string extension_text(std::int64_t waves, std::size_t done, std::string const& next);
+/// "an extension to 64 waves, 2 bodies and 3 levels is not complete, 3 of 8 blocks are done, ..."
+/// \param progress of it, by progress_text
+[[nodiscard]] std::string extension_text(std::int64_t waves, std::size_t bodies, std::size_t levels,
+                                         std::string const& progress);
+/// Of the file that it will replace. \param complete by complete_text
+[[nodiscard]] std::string before_extension_text(std::string const& complete);
 
 /// What became of the waves of a run that did not end.
 [[nodiscard]] std::string so_far_text(std::string const& waves_text);

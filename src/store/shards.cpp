@@ -196,6 +196,12 @@ std::vector<std::int64_t> ShardFolder::committed(BlockRange range, std::vector<s
     return sound;
 }
 
+std::vector<std::int64_t> ShardFolder::listed(BlockRange range) const {
+    auto blocks = block_files(range, nullptr);
+    std::erase_if(blocks, [&](std::int64_t block) { return !range.holds(block); });
+    return blocks;
+}
+
 bool ShardFolder::holds_foreign_blocks() const {
     auto const blocks = block_files(everything, nullptr);
     return std::any_of(blocks.begin(), blocks.end(),

@@ -45,6 +45,9 @@ class ShardFolder {
     /// and left out. \param bytes how many a block's rows must have, if known
     [[nodiscard]] std::vector<std::int64_t> committed(BlockRange range, std::vector<std::string>& notes,
                                                       std::function<std::size_t(std::int64_t)> const& bytes = {}) const;
+    /// The blocks of `range` by the names of their files alone, in rising order: cheap, and nothing says they are
+    /// sound.
+    [[nodiscard]] std::vector<std::int64_t> listed(BlockRange range) const;
     /// Are there blocks, sound by themselves, that belong to something else?
     [[nodiscard]] bool holds_foreign_blocks() const;
     /// Is there any file that is named like a block?

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <functional>
 
+#include <nlohmann/json.hpp>
+
 #include "cli/campaign_files.hpp"
 #include "store/results_file.hpp"
 #include "support/command.hpp"
@@ -247,9 +249,21 @@ TEST_F(Extend, AKillLosesNothing) {
     EXPECT_TRUE(folder.read("c.h5") == before);
     auto const status = overturn(folder, {"status", "c.h5"});
     EXPECT_EQ(status.code, 3);
-    EXPECT_TRUE(status.out.starts_with("c.h5: complete, ")) << status.out;
-    EXPECT_NE(status.out.find("\nan extension to 120 waves is not complete: "), std::string::npos) << status.out;
-    EXPECT_NE(status.out.find("-o c.h5 --extend"), std::string::npos) << status.out;
+    EXPECT_TRUE(status.out.starts_with("c.h5: an extension to 120 waves, 2 bodies and 3 levels is not complete, "))
+        << status.out;
+    EXPECT_NE(status.out.find("-o c.h5 --extend\nthe file until then: complete, 120 trials"), std::string::npos)
+        << status.out;
+    auto const told = overturn(folder, {"status", "c.h5", "--json"});
+    EXPECT_EQ(told.code, 3);
+    auto const facts = nlohmann::json::parse(told.out);
+    EXPECT_EQ(facts["complete"], true);
+    EXPECT_EQ(facts["trials"]["counted"], 120);
+    auto const& extension = facts["extension"];
+    EXPECT_EQ(extension["complete"], false);
+    EXPECT_EQ(extension["waves"]["planned"], 120);
+    EXPECT_EQ(extension["blocks"]["done"], blocks_done(folder, "c.h5"));
+    EXPECT_EQ(extension["blocks"]["done"].get<int>() + extension["blocks"]["left"].get<int>(), 120);
+    EXPECT_TRUE(extension["waves_left"].is_string());
     auto const early = overturn(folder, {"run", "c.toml", "--extend", "--max-walltime", "0.05 s"});
     EXPECT_EQ(early.code, 3);
     EXPECT_NE(early.err.find("-o c.h5 --extend"), std::string::npos) << early.err;

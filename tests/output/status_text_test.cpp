@@ -30,10 +30,13 @@ TEST(StatusText, ARunThatDidNotEndSaysWhatIsLeftAndHowToGoOn) {
               "not complete, 3 of 8 blocks are done, 5 left; a run is under way");
 }
 
-TEST(StatusText, AnExtensionSaysHowToGoOn) {
-    EXPECT_EQ(output::extension_text(64, 2, "x"),
-              "an extension to 64 waves is not complete: 2 blocks are done beside what this file holds. Go on with: x");
-    EXPECT_TRUE(output::extension_text(64, 2, "").ends_with("; a run is under way"));
+TEST(StatusText, AnExtensionSaysWhatIsDoneAndWhatIsLeft) {
+    EXPECT_EQ(output::extension_text(
+                  64, 2, 3, progress_text({.done = 3, .left = 5, .all = 8, .waves_left = "24 to 63", .next = "x"})),
+              "an extension to 64 waves, 2 bodies and 3 levels is not complete, 3 of 8 blocks are done, 5 left (waves "
+              "24 to 63). Go on with: x");
+    EXPECT_TRUE(output::extension_text(1, 1, 1, "x").starts_with("an extension to 1 wave, 1 body and 1 level is x"));
+    EXPECT_EQ(output::before_extension_text("complete, 24 trials"), "the file until then: complete, 24 trials");
 }
 
 }  // namespace

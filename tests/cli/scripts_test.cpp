@@ -1,0 +1,86 @@
+// Requirement R-919: scripts and schedulers learn from a run what people do: how far it is, what it told, what it has
+// found so far, what it will take, and by its exit code whether it can go on.
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "cli/campaign_files.hpp"
+#include "support/command.hpp"
+
+namespace overturn::testing {
+namespace {
+
+using nlohmann::json;
+
+class Scripts : public ::testing::Test {
+  protected:
+    Scripts() { folder.write("target.csv", target_csv); }
+
+    void write(int waves) const { folder.write("c.toml", small_campaign("shared", waves)); }
+    [[nodiscard]] json told(std::vector<std::string> const& arguments, int code = 0) const {
+        auto const ended = overturn(folder, arguments);
+        EXPECT_EQ(ended.code, code) << ended.err;
+        return json::parse(ended.out);
+    }
+    /// Stops a run of `waves` once some blocks are there.
+    void stop_a_run(int waves) const {
+        write(waves);
+        Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
+        ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 3; }));
+        running.signal(SIGUSR1);
+        ASSERT_EQ(running.wait().code, 3);
+    }
+
+    Folder folder;
+};
+
+// R-1102: of a finished file and of an unfinished run, in the same words as the text.
+TEST_F(Scripts, StatusIsJson) {
+    stop_a_run(400);
+    auto const run = told({"status", "c.h5", "--json"}, 3);
+    EXPECT_EQ(run["complete"], false);
+    EXPECT_EQ(run["under_way"], false);
+    EXPECT_EQ(run["title"], "small");
+    EXPECT_EQ(run["blocks"]["done"], blocks_done(folder, "c.h5"));
+    EXPECT_EQ(run["blocks"]["done"].get<int>() + run["blocks"]["left"].get<int>(), run["blocks"]["all"]);
+    EXPECT_EQ(run["waves"]["planned"], 400);
+    EXPECT_EQ(run["trials"]["done"].get<int>(), 6 * run["waves"]["done"].get<int>());
+    EXPECT_EQ(run["next"], "overturn run c.toml -o c.h5 --resume");
+    auto const text = overturn(folder, {"status", "c.h5"}).out;
+    EXPECT_TRUE(text.starts_with("c.h5: " + run["text"].get<std::string>() + "\n")) << text;
+
+    write(3);
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "done.h5"}).code, 0);
+    auto const file = told({"status", "done.h5", "--json"});
+    EXPECT_EQ(file["complete"], true);
+    EXPECT_EQ(file["edited"], false);
+    EXPECT_EQ(file["waves"]["counted"], 3);
+    EXPECT_EQ(file["trials"], (json{{"counted", 18}, {"planned", 18}, {"failed", 0}}));
+    EXPECT_TRUE(file["extension"].is_null());
+}
+
+// R-1102: while it is under way, from the names of files alone: a block that is damaged is not looked into.
+TEST_F(Scripts, StatusOfARunUnderWayReadsNoBlock) {
+    write(100'000);
+    Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
+    ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 3; }));
+    auto const run = told({"status", "c.h5", "--json"}, 3);
+    EXPECT_EQ(run["under_way"], true);
+    EXPECT_TRUE(run["next"].is_null());
+    EXPECT_GT(run["blocks"]["done"], 3);
+    running.signal(SIGTERM);
+    ASSERT_EQ(running.wait().code, 3);
+    folder.write("c.h5.parts/0000000000.block", "torn");
+    auto const whole = told({"status", "c.h5", "--json"}, 3)["blocks"]["done"].get<int>();
+    EXPECT_EQ(whole, blocks_done(folder, "c.h5"));
+    EXPECT_NE(overturn(folder, {"status", "c.h5"}).out.find(fmt::format(", {} of ", whole - 1)), std::string::npos);
+}
+
+}  // namespace
+}  // namespace overturn::testing
