@@ -35,6 +35,7 @@
 #include "results/statistics.hpp"
 #include "results/telling_trials.hpp"
 #include "results/together.hpp"
+#include "runner/interim.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -53,6 +54,8 @@ void check(FitOptions const& options) {
              "--design-basis without --stripes (P is quoted of stripes alone). Leave it out");
     validate(options.measures.empty() || !options.file.empty(),
              "--measures without a results file (a table, or a stated curve, has one). Fit a results file");
+    validate(!options.interim || !options.file.empty(),
+             "--interim without a results file (it is of an unfinished run). Name the file that the run is to write");
     validate(options.beta.has_value() == !options.median.empty(),
              "--{} without --{} (a curve is both). State it, for example --median '0.9 g' --beta 0.4",
              options.beta ? "beta" : "median", options.beta ? "median" : "beta");
@@ -98,21 +101,24 @@ struct Fitted {
     std::vector<TrialRow> few = {};
 };
 
+// \param file null: there is none yet, and what needs its rows is left out
 // \param withheld the records may be missing, of which a note says that nothing is checked by hand
-Fitted fitted(FitOptions const& options, output::TextOptions const& text, store::ResultsReader const& file,
+Fitted fitted(FitOptions const& options, output::TextOptions const& text, store::ResultsReader const* file,
               CampaignSpec const& spec, Statistics const& statistics, bool withheld) {
     double const confidence = options.confidence.value_or(spec.confidence);
     Fitted all{.confidence = confidence,
                .analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u}),
-               .rare = read_rare_estimates(file, spec)};
+               .rare = file == nullptr ? std::vector<RareBody>{} : read_rare_estimates(*file, spec)};
     tell_velocities(all.analysis, text.velocities);
     if (!options.hazard.empty()) {
         all.hazard = hazard_of_campaign(options.hazard, spec);
         all.frequencies = frequencies_of(spec, statistics, all.analysis, *all.hazard, confidence);
     }
-    all.few = trials_of_few_waves(spec, file);
-    if (options.json || text.wants("trials")) {
-        all.telling = telling_trials(spec, file);
+    if (file != nullptr) {
+        all.few = trials_of_few_waves(spec, *file);
+        if (options.json || text.wants("trials")) {
+            all.telling = telling_trials(spec, *file);
+        }
     }
     if (options.json || text.wants("hand") || withheld) {  // it makes waves
         all.by_hand = hand_checks(spec);
@@ -143,11 +149,14 @@ output::Json levels_json(LevelSpec const& levels) {
     return json;
 }
 
-void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics, bool changed) {
+// \param interim how far the run is; null: it is complete
+void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics, bool changed,
+                       output::Json const& interim = nullptr) {
     auto json = output::fit_json(spec, statistics, all.analysis, all.confidence);
     json["assumptions"] = assumptions_json(spec);
     json["levels"] = levels_json(spec.levels);
     json["unverified"] = changed;
+    json["interim"] = interim;
     std::vector<output::Table> tables{output::answer_table(answered_of(all, spec, statistics)),
                                       output::telling_trial_table(spec, all.telling),
                                       output::hand_check_table(spec, all.by_hand)};
@@ -159,7 +168,7 @@ void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics c
                           std::back_inserter(tables));
         json["hazard_notes"] = all.hazard->remarks();
     }
-    if (spec.rare) {
+    if (spec.rare && interim.is_null()) {
         std::ranges::move(output::rare_tables(spec, all.rare), std::back_inserter(tables));
     }
     json.update(output::json_of(tables));
@@ -194,13 +203,36 @@ int fit_file(FitOptions const& options) {
     auto const statistics = recount(file, spec);
     bool const changed = options.unverified.warn_if_changed(file, options.file);
     bool const withheld = has_withheld(input);
-    auto const all = fitted(options, text, file, spec, statistics, withheld);
+    auto const all = fitted(options, text, &file, spec, statistics, withheld);
     if (options.json) {
         print_fitted_json(all, spec, statistics, changed);
     } else {
         print_fitted(all, spec, statistics, withheld, options.file, text);
     }
     return print_refit(options, file, spec, statistics);
+}
+
+// Of what an unfinished run has committed: marked as such, whatever is printed.
+int fit_interim(FitOptions const& options) {
+    auto const text = options.text.options();
+    validate(!text.names("trials"), "--section trials of an unfinished run (its rows lie in blocks). Leave it out");
+    auto const now = interim_results(options.file);
+    auto const& spec = *now.spec;
+    auto const all = fitted(options, text, nullptr, spec, now.statistics, has_withheld(now.input));
+    if (options.json) {
+        print_fitted_json(all, spec, now.statistics, false,
+                          {{"waves", now.waves},
+                           {"planned", now.planned},
+                           {"blocks", now.blocks},
+                           {"all_blocks", now.all_blocks ? output::Json(*now.all_blocks) : output::Json()}});
+        return done;
+    }
+    auto const line = fmt::format("INTERIM: {} of {} waves, those that were done first; the run is not complete\n",
+                                  now.waves, now.planned);
+    fmt::print("{}", line);
+    print_fitted(all, spec, now.statistics, has_withheld(now.input), options.file, text);
+    fmt::print("{}", line);
+    return done;
 }
 
 }  // namespace
@@ -215,6 +247,7 @@ void add_fit(CommandLine& line) {
     verb.takes("--median", options->median, "a stated curve instead: its median with its unit, '0.9 g'");
     verb.takes("--beta", options->beta, "of the stated curve: lognormal standard deviation, beta_R beside --beta-u");
     verb.takes("--json", options->json, "as JSON");
+    verb.takes("--interim", options->interim, "of a run that is not complete: of the waves that it has done so far");
     verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known, for HCLPF");
     verb.takes("--confidence", options->confidence, "of all intervals; default: the campaign's, or 0.95");
     verb.takes("--design-basis", options->design_basis,
@@ -229,6 +262,7 @@ void add_fit(CommandLine& line) {
         return !options->median.empty()       ? fit_stated(*options)
                : !options->capacities.empty() ? fit_capacities(*options)
                : !options->stripes.empty()    ? fit_stripes(*options)
+               : options->interim             ? fit_interim(*options)
                                               : fit_file(*options);
     });
 }

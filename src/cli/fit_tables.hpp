@@ -18,6 +18,7 @@ struct FitOptions {
     std::string stripes;
     std::string capacities;
     bool json = false;
+    bool interim = false;  ///< of a run that is not complete
     double beta_u = 0;
     std::optional<double> confidence;  ///< none: the campaign's, or 0.95
     std::string design_basis;          ///< of stripes, in their unit or with its own

@@ -59,9 +59,9 @@ ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std
     : path_(path), trust_(trust), opened_(std::make_unique<Opened>()) {
     auto const parts = path.string() + ".parts";
     validate(std::filesystem::exists(path) || !std::filesystem::is_directory(parts),
-             "{}: not there yet (its run is unfinished, {} holds what is done). Ask overturn status {}, and go on with "
-             "overturn run --resume",
-             path.string(), parts, path.string());
+             "{}: not there yet (its run is unfinished, {} holds what is done). Ask overturn status {} or "
+             "overturn fit --interim {}, and go on with overturn run --resume",
+             path.string(), parts, path.string(), path.string());
     validate(std::filesystem::exists(path), "{}: no such file (nothing to read). Check the name", path.string());
     auto const no_file = what_is_no_file(path);
     validate(no_file.empty(), "{}: not an HDF5 file (nor any file: {}). Give a results file of overturn run",

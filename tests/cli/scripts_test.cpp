@@ -82,5 +82,36 @@ TEST_F(Scripts, StatusOfARunUnderWayReadsNoBlock) {
     EXPECT_NE(overturn(folder, {"status", "c.h5"}).out.find(fmt::format(", {} of ", whole - 1)), std::string::npos);
 }
 
+// what is committed so far, marked as such in text and JSON; counts are those of the waves that are there.
+TEST_F(Scripts, FitOfAnUnfinishedRun) {
+    EXPECT_EQ(overturn(folder, {"fit", "c.h5", "--interim"}).code, 2);
+    stop_a_run(400);
+    auto const waves = told({"status", "c.h5", "--json"}, 3)["waves"]["done"].get<int>();
+    auto const fit = told({"fit", "c.h5", "--interim", "--json"});
+    EXPECT_EQ(fit["interim"]["waves"], waves);
+    EXPECT_EQ(fit["interim"]["planned"], 400);
+    for (auto const& stripe : fit["stripes"]) {
+        EXPECT_EQ(stripe["trials"], waves);
+    }
+    auto const text = overturn(folder, {"fit", "c.h5", "--interim"});
+    EXPECT_EQ(text.code, 0) << text.err;
+    auto const mark =
+        fmt::format("INTERIM: {} of 400 waves, those that were done first; the run is not complete\n", waves);
+    EXPECT_TRUE(text.out.starts_with(mark)) << text.out;
+    EXPECT_TRUE(text.out.ends_with(mark)) << text.out;
+    auto const refused = overturn(folder, {"fit", "c.h5"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("overturn fit --interim c.h5"), std::string::npos) << refused.err;
+
+    // One rank does the first waves first: the same counts as of a campaign of so many.
+    write(waves);
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "few.h5"}).code, 0);
+    auto const few = told({"fit", "few.h5", "--json"});
+    EXPECT_TRUE(few["interim"].is_null());
+    EXPECT_EQ(few["stripes"], fit["stripes"]);
+    ASSERT_FALSE(fit["fragility"].empty());
+    EXPECT_EQ(few["fragility"], fit["fragility"]);
+}
+
 }  // namespace
 }  // namespace overturn::testing
