@@ -37,15 +37,16 @@ planned() {
 # Launchers lose or die of what reaches them in their first seconds; five minutes' warning has room for waiting.
 tell() {
     [ -n "$pid" ] || return 0  # not begun yet: told as soon as it is
-    [ "$1" = TERM ] || while [ $((SECONDS - begun)) -lt 3 ]; do sleep 1; done
+    [ "$1" = USR2 ] || while [ $((SECONDS - begun)) -lt 3 ]; do sleep 1; done
     kill "-$1" "$pid" 2>/dev/null
 }
 
-# segment ARGUMENTS OF run... : 0 the work is complete, 3 the job has been put back into the queue, else what run returned.
+# segment ARGUMENTS OF run... : 0 the work is complete, 3 it can go on, else what run returned. It is put back into the queue,
+# but not after a TERM: who preempts does that, and who cancels does not want it.
 segment() {
     local pid='' code told='' begun=$SECONDS
     trap 'told=USR1; tell USR1' USR1  # from --signal: finish the blocks in hand
-    trap 'told=TERM; tell TERM' TERM  # preempted: leave within a second
+    trap 'told=USR2; tell USR2' TERM  # preempted: leave within a second (mpirun hands TERM on too, but ends with 1 then)
     $OVERTURN_LAUNCH "$OVERTURN" run "$@" --resume & pid=$!
     [ -z "$told" ] || tell "$told"
     wait $pid; code=$?
@@ -54,8 +55,8 @@ segment() {
     done
     trap - USR1 TERM
     # What is told while the launcher itself starts can kill it: nothing is lost, so the next segment goes on.
-    [ "$told" != USR1 ] || [ $code -le 128 ] || code=3
-    [ $code -eq 3 ] || return $code
+    [ -z "$told" ] || [ $code -le 128 ] || code=3
+    [ $code -eq 3 ] && [ "$told" != USR2 ] || return $code
     if [ "${SLURM_RESTART_COUNT:-0}" -ge "$OVERTURN_MOST_SEGMENTS" ]; then
         echo "segment: still not complete after $OVERTURN_MOST_SEGMENTS segments (is the time limit shorter than a block?). Raise it" >&2
         return 3

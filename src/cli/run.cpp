@@ -1,15 +1,22 @@
 #include "runner/run.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <chrono>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include "cli/collective.hpp"
+#include "cli/json_values.hpp"
 #include "cli/text_choice.hpp"
 #include "cli/verbs.hpp"
 #include "cli/walltime.hpp"
 #include "core/error.hpp"
+#include "core/print_note.hpp"
+#include "runner/progress.hpp"
+#include "runner/root_broadcast.hpp"
 #include "runner/stop_policy.hpp"
 
 namespace overturn::cli {
@@ -21,6 +28,7 @@ struct RunVerbOptions {
     std::vector<std::string> settings;
     std::optional<std::string> max_walltime;  // given and empty is no wish to leave it out
     std::optional<std::string> part;
+    std::optional<std::string> progress;
     TextChoice text;
     bool resume = false;
     bool extend = false;
@@ -32,6 +40,15 @@ double read_walltime(std::string const& text) {
     } catch (InputError const& error) {
         throw InputError(fmt::format("--max-walltime: {}", error.what()));
     }
+}
+
+// What rank 0 hears of a batch system: other nodes may not have its environment.
+double seconds_of_job(parallel::Communicator const& comm) {
+    auto const end = broadcast_from_root(comm, [] {
+        char const* const stated = std::getenv("SLURM_JOB_END_TIME");
+        return std::string(stated == nullptr ? "" : stated);
+    });
+    return seconds_until(end, std::chrono::system_clock::now());
 }
 
 // "2/8"
@@ -77,13 +94,20 @@ int run(RunVerbOptions const& options, parallel::Communicator const& comm) {
     run_options.output = output_of(options);
     run_options.resume = options.resume;
     run_options.extend = options.extend;
+    run_options.max_walltime_s = seconds_of_job(comm);
     if (options.max_walltime) {
-        run_options.max_walltime_s = read_walltime(*options.max_walltime);
+        run_options.max_walltime_s = std::min(run_options.max_walltime_s, read_walltime(*options.max_walltime));
     }
     if (options.part) {
         run_options.part = read_part(*options.part);
     }
-    return run_campaign(input, run_options, comm) == RunEnd::complete ? done : resumable;
+    auto const code = run_campaign(input, run_options, comm) == RunEnd::complete ? done : resumable;
+    if (options.progress && comm.is_root()) {
+        print_note("{}\n",
+                   Json{{"event", "end"}, {"output", run_options.output.string()}, {"exit_code", int{code}}}.dump(
+                       -1, ' ', false, Json::error_handler_t::replace));
+    }
+    return code;
 }
 
 }  // namespace
@@ -96,12 +120,18 @@ void add_run(CommandLine& line) {
     verb.takes("--resume", options->resume, "go on with what an earlier run left behind");
     verb.takes("--extend", options->extend,
                "more waves, levels or bodies, other limits or statistics: rows of the finished file at -o are kept");
-    verb.takes("--set", options->settings, "override a key: waves.count=50, bodies.0.friction=0.4");
+    verb.takes("--set", options->settings, "override keys: waves.count=50 bodies.0.friction=0.4", "KEY=VALUE ...");
     verb.takes("--max-walltime", options->max_walltime,
                "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00; a bare number is seconds");
     verb.takes("--part", options->part, "I/N: only the I-th of N parts, for array jobs; merge puts them together");
+    verb.takes("--progress", options->progress, "json: what is told on stderr as one JSON object a line", "json");
     options->text.offered_by(verb);
     verb.does([options] {
+        validate(!options->progress || *options->progress == "json",
+                 "--progress '{}' (unknown). Say json, or leave it out", options->progress.value_or(""));
+        if (options->progress) {
+            tell_as_json();
+        }
         stop_on_signals();  // what came earlier, or comes while MPI starts or records are read, is not lost
         return on_all_ranks([&](auto const& comm) { return run(*options, comm); });
     });

@@ -1,6 +1,7 @@
 #include "cli/walltime.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -60,6 +61,16 @@ std::string with_blank(std::string text) {
 }
 
 }  // namespace
+
+double seconds_until(std::string const& end, std::chrono::system_clock::time_point now) {
+    constexpr double leaving_s = 30;
+    constexpr double leaving_share = 0.1;
+    double at = 0;
+    bool const number = !end.empty() && end.find_first_not_of("0123456789") == std::string::npos;
+    double const left =
+        number && parse_number(end, at) ? at - std::chrono::duration<double>(now.time_since_epoch()).count() : 0;
+    return left > 0 ? left - std::min(leaving_s, leaving_share * left) : std::numeric_limits<double>::infinity();
+}
 
 double parse_walltime(std::string const& text) {
     bool const slurm =

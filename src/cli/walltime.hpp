@@ -1,6 +1,7 @@
 /// Times as batch systems spell them.
 #pragma once
 
+#include <chrono>
 #include <string>
 
 namespace overturn::cli {
@@ -8,5 +9,9 @@ namespace overturn::cli {
 /// "50 min", "1h", "90" (s), and Slurm's MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS. [s]
 /// \throws InputError if it is none of these or not above 0
 [[nodiscard]] double parse_walltime(std::string const& text);
+
+/// From `now` until a job ends that a batch system ends at the UNIX time `end`, less what leaving takes: a tenth of it,
+/// 30 s at most. Infinite where there is no such time, or it has passed. [s]
+[[nodiscard]] double seconds_until(std::string const& end, std::chrono::system_clock::time_point now);
 
 }  // namespace overturn::cli

@@ -5,12 +5,30 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "core/elapsed.hpp"
+#include "core/note_form.hpp"
 #include "core/print_note.hpp"
 
 namespace overturn {
+
+namespace {
+
+bool as_json = false;  // of the process, as stderr is
+
+std::string note_as_json(std::string const& line) {
+    return nlohmann::ordered_json{{"event", "note"}, {"text", line}}.dump(
+        -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void tell_as_json() {
+    as_json = true;
+    form_notes(&note_as_json);
+}
 
 std::string duration_text(double seconds) {
     std::int64_t const whole = std::llround(seconds);
@@ -29,7 +47,7 @@ std::string duration_text(double seconds) {
 }
 
 Progress::Progress(std::int64_t total, std::int64_t done, double trials_per_block, std::string counted)
-    : terminal_(isatty(STDERR_FILENO) != 0),
+    : terminal_(isatty(STDERR_FILENO) != 0 && !as_json),
       total_(total),
       before_(done),
       trials_per_block_(trials_per_block),
@@ -40,8 +58,9 @@ double Progress::elapsed_s() const { return seconds_since(begin_); }
 
 bool Progress::is_due() const {
     constexpr double terminal_every_s = 0.2;
+    constexpr double json_every_s = 1;
     constexpr double plain_every_s = 10;
-    return elapsed_s() - shown_s_ >= (terminal_ ? terminal_every_s : plain_every_s);
+    return elapsed_s() - shown_s_ >= (as_json ? json_every_s : terminal_ ? terminal_every_s : plain_every_s);
 }
 
 void Progress::show(std::int64_t fresh) {
@@ -53,10 +72,23 @@ void Progress::show(std::int64_t fresh) {
     auto const done = before_ + fresh;
     double const per_second = static_cast<double>(fresh) * trials_per_block_ / seconds;
     double const left_s = seconds / static_cast<double>(fresh) * static_cast<double>(total_ - done);
+    if (as_json) {
+        show_json(done, per_second, left_s);
+        return;
+    }
     auto const line = fmt::format("{} of {} {}, {}{}", done, total_, counted_,
                                   trials_per_block_ > 0 ? fmt::format("{:.0f} trials/s, ", per_second) : "",
                                   done == total_ ? "took " + duration_text(seconds) : duration_text(left_s) + " left");
     print_note("{}{:<70}{}", terminal_ ? "\r" : "", line, terminal_ ? "" : "\n");
+}
+
+void Progress::show_json(std::int64_t done, double per_second, double left_s) {
+    nlohmann::ordered_json event{{"event", "progress"}, {"counted", counted_},      {"done", done},
+                                 {"of", total_},        {"elapsed_s", elapsed_s()}, {"left_s", left_s}};
+    if (trials_per_block_ > 0) {
+        event["trials_per_s"] = per_second;
+    }
+    print_note("{}\n", event.dump());
 }
 
 void Progress::finish() const {

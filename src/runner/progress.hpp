@@ -8,6 +8,10 @@
 
 namespace overturn {
 
+/// From here on what is told on stderr is one JSON object a line: {"event": "progress", "done": 3, "of": 8, ...}, and
+/// {"event": "note", "text": "..."} of all else.
+void tell_as_json();
+
 class Progress {
   public:
     /// \param total blocks in all; \param done blocks that an earlier run left behind; \param trials per block, on
@@ -24,6 +28,8 @@ class Progress {
     [[nodiscard]] double elapsed_s() const;
 
   private:
+    void show_json(std::int64_t done, double per_second, double left_s);
+
     bool terminal_;
     std::int64_t total_, before_;
     double trials_per_block_;

@@ -26,8 +26,8 @@ volatile std::sig_atomic_t urgent = 0;
 long volatile requested_ms = 0;
 long volatile urgent_ms = 0;
 
-constexpr std::array heeded{SIGUSR1, SIGTERM, SIGINT};
-std::array<void (*)(int), heeded.size()> before{SIG_DFL, SIG_DFL, SIG_DFL};
+constexpr std::array heeded{SIGUSR1, SIGUSR2, SIGTERM, SIGINT};
+std::array<void (*)(int), heeded.size()> before{SIG_DFL, SIG_DFL, SIG_DFL, SIG_DFL};
 
 void request(int signal) {
     auto const now = now_ms();

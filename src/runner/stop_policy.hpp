@@ -7,15 +7,16 @@
 
 namespace overturn {
 
-/// Makes SIGUSR1, SIGTERM and SIGINT ask the run to stop instead of killing it. A second one, half a second later or
-/// more, kills: launchers may deliver one request twice.
+/// Makes SIGUSR1, SIGUSR2, SIGTERM and SIGINT ask the run to stop instead of killing it. A second one, half a second
+/// later or more, kills: launchers may deliver one request twice.
 void stop_on_signals();
 
 /// What held before stop_on_signals() does again; a signal that came meanwhile comes again.
 void restore_signals();
 
 /// Tells one rank when to stop. SIGUSR1 and the time limit let the block in hand be finished; SIGTERM and SIGINT give
-/// it half a second more, because mpirun and batch systems kill soon after.
+/// it half a second more, because mpirun and batch systems kill soon after; so does SIGUSR2, which mpirun hands on
+/// without ending itself with a code of its own.
 class StopPolicy {
   public:
     /// \param after_s from now on [s]

@@ -113,5 +113,61 @@ TEST_F(Scripts, FitOfAnUnfinishedRun) {
     EXPECT_EQ(few["fragility"], fit["fragility"]);
 }
 
+TEST_F(Scripts, ProgressIsLinesOfJson) {
+    write(30);
+    auto const ended = execute(folder, mpirun(2, {"run", "c.toml", "--progress", "json"}));
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    std::istringstream lines(ended.err);
+    std::vector<json> events;
+    for (std::string line; std::getline(lines, line);) {
+        events.push_back(json::parse(line));
+    }
+    std::vector<json> progress;
+    std::ranges::copy_if(events, std::back_inserter(progress), [](json const& e) { return e["event"] == "progress"; });
+    ASSERT_FALSE(progress.empty());
+    EXPECT_EQ(progress.back()["done"], 30);
+    EXPECT_EQ(progress.back()["of"], 30);
+    EXPECT_GT(progress.back()["trials_per_s"], 0);
+    EXPECT_TRUE(std::ranges::any_of(events, [](json const& e) {
+        return e["event"] == "note" && e["text"].get<std::string>().starts_with("waves: ");
+    })) << ended.err;
+    EXPECT_EQ(events.back(), (json{{"event", "end"}, {"output", "c.h5"}, {"exit_code", 0}}));
+    EXPECT_EQ(overturn(folder, {"run", "c.toml", "--progress", "xml"}).code, 2);
+    std::filesystem::remove(folder / "c.h5");
+    write(100'000);
+    auto const stopped = overturn(folder, {"run", "c.toml", "--progress", "json", "--max-walltime", "1 s"});
+    EXPECT_EQ(stopped.code, 3);
+    EXPECT_NE(stopped.err.find(R"({"event":"end","output":"c.h5","exit_code":3})"), std::string::npos) << stopped.err;
+}
+
+// R-1102: mpirun ends with 1 after a TERM of its own, as after a failure; SIGUSR2 leaves as soon, with 3.
+TEST_F(Scripts, ASignalThatMpirunHandsOnEndsWithThree) {
+    write(100'000);
+    Running running(folder, mpirun(2, {"run", "c.toml"}));
+    ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 3; }));
+    running.signal(SIGUSR2);
+    auto const ended = running.wait();
+    EXPECT_EQ(ended.code, 3) << ended.err;
+    EXPECT_NE(ended.err.find("stopped early: "), std::string::npos) << ended.err;
+}
+
+// R-1102: a batch job's end, where the batch system tells it, is a limit as --max-walltime is.
+TEST_F(Scripts, ABatchJobsEndIsALimit) {
+    write(100'000);
+    auto const run = [&](std::string const& end) {
+        return execute(
+            folder, {"/bin/sh", "-c", "SLURM_JOB_END_TIME=" + end + " exec " OVERTURN_PROGRAM " run c.toml --resume"});
+    };
+    auto const ended = run("$(($(date +%s) + 3))");
+    EXPECT_EQ(ended.code, 3) << ended.err;
+    EXPECT_NE(ended.err.find("stopped early: "), std::string::npos) << ended.err;
+    write(20);  // limits that are none
+    std::filesystem::remove_all(folder / "c.h5.parts");
+    for (auto const* end : {"0", "1000000000", "UNLIMITED", "''"}) {
+        EXPECT_EQ(run(end).code, 0) << end;
+        std::filesystem::remove(folder / "c.h5");
+    }
+}
+
 }  // namespace
 }  // namespace overturn::testing
