@@ -1,9 +1,11 @@
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <thread>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -12,10 +14,12 @@
 #include "campaign/warnings.hpp"
 #include "cli/assumptions_told.hpp"
 #include "cli/plan_bodies.hpp"
+#include "cli/plan_ranks.hpp"
 #include "cli/plan_sizes.hpp"
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/elapsed.hpp"
+#include "core/error.hpp"
 #include "core/wrapped.hpp"
 #include "output/shown_levels.hpp"
 #include "output/stripe_text.hpp"
@@ -40,19 +44,92 @@ void print_limits(CampaignSpec const& spec) {
     }
 }
 
+constexpr std::int64_t most_asked_ranks = 10'000'000;
+
 struct PlanOptions {
     std::string campaign;
     std::vector<std::string> settings;
     VelocityUnit unit;
+    std::optional<std::int64_t> ranks;
     bool json = false;
     bool full = false;
 };
 
-// Without the probe, whose times are never the same.
-int print_plan_json(CampaignSpec const& spec, Plan const& plan) {
-    Json const json{{"title", spec.title},           {"waves", plan.waves()},
-                    {"trials", plan.trials()},       {"blocks", plan.blocks()},
-                    {"warnings", warnings_of(spec)}, {"assumptions", assumptions_json(spec)}};
+Json planned_levels_json(LevelSpec const& levels) {
+    Json list = Json::array();
+    for (auto const& level : levels.levels) {
+        list.push_back(
+            {{"amplitude", level.value}, {"stated", levels.shown(level.value)}, {"purpose", name_of(level.purpose)}});
+    }
+    return {{"measure", levels.measure_label()},
+            {"units", levels.units()},
+            {"stated_unit", levels.shown_units()},
+            {"levels", list}};
+}
+
+Json planned_limits_json(CampaignSpec const& spec) {
+    Json list = Json::array();
+    for (auto const& limit : std::span(spec.limits).subspan(1)) {
+        list.push_back({{"name", limit.name}, {"definition", definition_of(limit, spec.limits)}});
+    }
+    return list;
+}
+
+// Its times are never twice the same.
+Json probe_json(CampaignSpec const& spec, ProbedCost const& cost) {
+    Json models = Json::object();
+    for (std::size_t r = 0; r < cost.models.models.size(); ++r) {
+        auto const& model = cost.models.models[r];
+        if (model.trials > 0) {
+            models[model_categories()[r].name] = {{"trials", model.trials},
+                                                  {"each_s", model.seconds / static_cast<double>(model.trials)}};
+        }
+    }
+    auto const accepted = output::waves_text(cost.waves, spec.source->about().acceptance, spec.confidence);
+    return {{"wave_s", cost.wave_s()},
+            {"generation_s", cost.generation_s},
+            {"measures_s", cost.measures_s},
+            {"trials_s", cost.trials_s},
+            {"counted_wave_s", cost.counted_wave_s()},
+            {"accepted", or_null(!accepted.empty(), accepted)},
+            {"models", models}};
+}
+
+std::vector<std::int64_t> asked_ranks(PlanOptions const& options) {
+    std::vector<std::int64_t> ranks{1, std::max<std::int64_t>(1, std::thread::hardware_concurrency())};
+    if (options.ranks) {
+        ranks.push_back(*options.ranks);
+    }
+    return ranks;
+}
+
+// All that the text says, in SI.
+int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& drawn, double start_s,
+                    PlanOptions const& options) {
+    auto const plan = drawn.without_refusals();
+    Json json{{"title", spec.title},
+              {"waves", plan.waves()},
+              {"trials", plan.trials()},
+              {"blocks", plan.blocks()},
+              {"block_waves", plan.block_size()},
+              {"wave_source", spec.source->text()},
+              {"differ_by", spec.source->about().variability},
+              {"records", ends_of_records(spec)},
+              {"bodies", bodies_json(spec)},
+              {"levels", planned_levels_json(spec.levels)},
+              {"limits", planned_limits_json(spec)},
+              {"effects", names_of_effects(spec.effects.include)},
+              {"validated", validated_range_text(spec, spec.bodies.size())},
+              {"rare_max_waves", spec.rare ? Json(spec.rare->max_runs) : Json()},
+              {"warnings", warnings_of(spec)},
+              {"assumptions", assumptions_json(spec)}};
+    json.update(sizes_json(input, spec, plan));
+    auto const cost = probe(spec, drawn);
+    json["probe"] = probe_json(spec, cost);
+    json["ranks"] = Json::array();
+    for (auto const ranks : asked_ranks(options)) {
+        json["ranks"].push_back(ranks_json(estimate_ranks(plan, cost.counted_wave_s(), start_s, ranks)));
+    }
     fmt::print("{}\n", json.dump(2));
     return done;
 }
@@ -107,8 +184,8 @@ void print_scene(CampaignSpec const& spec, Plan const& plan, PlanOptions const& 
     fmt::print("{}", memory_lines(spec, plan));
 }
 
-// \return seconds of all waves on one rank
-double print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
+// \return what it found
+ProbedCost print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
     auto const cost = probe(spec, plan);
     print_entry("per wave", fmt::format("{:.1f} ms: generation {:.1f}, intensity measures {:.1f}, {} trials {:.1f}",
                                         1e3 * cost.wave_s(), 1e3 * cost.generation_s, 1e3 * cost.measures_s,
@@ -120,23 +197,27 @@ double print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
     if (full) {
         print_entry("models", output::model_costs(cost.models));
     }
-    return cost.counted_wave_s() * static_cast<double>(plan.asked());
+    return cost;
 }
 
 int plan_campaign(PlanOptions const& options) {
     auto const& path = options.campaign;
     (void)options.unit.si();
+    validate(!options.ranks || (*options.ranks > 0 && *options.ranks <= most_asked_ranks),
+             "--ranks {} (must be 1 to {}). Say on how many ranks it shall run", options.ranks.value_or(0),
+             most_asked_ranks);
     auto const input = load_campaign(path, options.settings);
     auto const begin = Clock::now();
     auto spec = parse_campaign(input);
     double const start_s = seconds_since(begin);  // calibrations, which every rank makes
     Plan const plan(spec);
     if (options.json) {
-        return print_plan_json(spec, plan.without_refusals());
+        return print_plan_json(input, spec, plan, start_s, options);
     }
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
     print_scene(spec, plan.without_refusals(), options);
-    double const all = print_probe(spec, plan, options.full);
+    auto const cost = print_probe(spec, plan, options.full);
+    double const all = cost.counted_wave_s() * static_cast<double>(plan.asked());
     if (spec.rare) {
         print_entry("rare", fmt::format("{} bodies, {} limit states, {} levels beside the trials: at most {} waves an "
                                         "estimator; their time and rows are not counted here",
@@ -146,6 +227,10 @@ int plan_campaign(PlanOptions const& options) {
     auto const cores = std::max(1U, std::thread::hardware_concurrency());
     print_entry("time", fmt::format("about {} on one rank, {} on the {} cores here", duration_text(start_s + all),
                                     duration_text(start_s + all / cores), cores));
+    if (options.ranks) {
+        print_entry("ranks", ranks_text(estimate_ranks(plan.without_refusals(), cost.counted_wave_s(), start_s,
+                                                       *options.ranks)));
+    }
     fmt::print("{}", size_lines(input, spec, plan.without_refusals(), options.full));
     return done;
 }
@@ -156,9 +241,10 @@ void add_plan(CommandLine& line) {
     auto verb = line.verb("plan", "check a campaign, count its trials, estimate time and file size");
     auto options = std::make_shared<PlanOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
-    verb.takes("--set", options->settings, "override a key: waves.count=50");
+    verb.takes("--set", options->settings, "override keys: waves.count=50 seed=2", "KEY=VALUE ...");
     options->unit.offered_by(verb);
-    verb.takes("--json", options->json, "counts, warnings and all that is assumed, as JSON");
+    verb.takes("--ranks", options->ranks, "also foretell time and busy share on so many ranks", "N");
+    verb.takes("--json", options->json, "all of it as JSON, in SI");
     verb.takes("--full", options->full, "every record, body, assumed value, model's time and block file too");
     verb.does([options] { return plan_campaign(*options); });
 }

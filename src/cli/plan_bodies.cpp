@@ -156,4 +156,28 @@ std::string bodies_text(CampaignSpec const& spec, VelocityUnit const& unit, std:
     return text;
 }
 
+Json bodies_json(CampaignSpec const& spec) {
+    Json list = Json::array();
+    for (auto const& each : spec.bodies) {
+        auto const& body = each.body;
+        Json remarks = Json::array();
+        auto const footing = each.footing.stated ? footing_text(each) : std::string();
+        for (auto const& remark : {placement_text(body, VelocityUnit{}), friction_text(each), footing}) {
+            if (!remark.empty()) {
+                remarks.push_back(remark);
+            }
+        }
+        list.push_back({{"name", each.name},
+                        {"mass_kg", body.mass_kg()},
+                        {"alpha_rad", body.alpha_rad()},
+                        {"p_radps", body.p_radps()},
+                        {"restitution", body.restitution()},
+                        {"housner_restitution", body.housner_restitution()},
+                        {"uplift_mps2", body.uplift_acceleration_mps2()},
+                        {"v_ereq_mps", body.limit_velocity_mps()},
+                        {"remarks", remarks}});
+    }
+    return list;
+}
+
 }  // namespace overturn::cli

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "campaign/campaign_spec.hpp"
+#include "cli/json_values.hpp"
 #include "cli/velocity_unit.hpp"
 
 namespace overturn::cli {
@@ -11,5 +12,8 @@ namespace overturn::cli {
 /// A row each, and below them what holds of some: placement, friction, base and pad, each text once.
 /// \param most rows; where there are more bodies, half as many texts and at least four. The others are counted
 [[nodiscard]] std::string bodies_text(CampaignSpec const& spec, VelocityUnit const& unit, std::size_t most);
+
+/// The same of all bodies, in SI, with what holds of each.
+[[nodiscard]] Json bodies_json(CampaignSpec const& spec);
 
 }  // namespace overturn::cli

@@ -41,13 +41,17 @@ std::string count_of_folders(std::int64_t blocks) {
     return folders == 1 ? std::string("one folder") : fmt::format("{} folders", folders);
 }
 
+std::int64_t waves_of_curves(Plan const& plan) {
+    std::int64_t const held = most_trials_held;
+    return plan.trials() <= held ? plan.waves() : (held + plan.trials_per_wave() - 1) / plan.trials_per_wave();
+}
+
 // Of more trials than are held one by one, curves see the first waves only. Empty where all are seen.
 std::string thinned_line(Plan const& plan) {
-    std::int64_t const held = most_trials_held;
-    if (plan.trials() <= held) {
+    auto const waves = waves_of_curves(plan);
+    if (waves == plan.waves()) {
         return {};
     }
-    auto const waves = (held + plan.trials_per_wave() - 1) / plan.trials_per_wave();
     return labelled("thinned",
                     fmt::format("intervals by waves, and curves over other measures than the levels', see the "
                                 "first {} waves of {} (20 million trials); stripes see all",
@@ -78,6 +82,18 @@ std::string memory_lines(CampaignSpec const& spec, Plan const& plan) {
                                          "while curves are fitted\n",
                                          bytes / 1e9);
     return memory + thinned_line(plan);
+}
+
+Json sizes_json(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
+    std::size_t scratch = 0;
+    for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+        scratch += BlockRows::packed_size(plan, block);
+    }
+    auto const waves = waves_of_curves(plan);
+    return {{"file_bytes", file_bytes(input, spec, plan)},
+            {"scratch_bytes", scratch},
+            {"memory_bytes", memory_of_trials(spec, plan.trials())},
+            {"waves_of_curves", or_null(waves < plan.waves(), waves)}};
 }
 
 }  // namespace overturn::cli

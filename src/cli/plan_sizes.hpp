@@ -6,6 +6,7 @@
 #include "campaign/campaign_input.hpp"
 #include "campaign/campaign_spec.hpp"
 #include "campaign/plan.hpp"
+#include "cli/json_values.hpp"
 
 namespace overturn::cli {
 
@@ -15,5 +16,8 @@ namespace overturn::cli {
 /// Memory of the trials that curves and intervals need, where it is much, and how many they see where that is not all;
 /// else empty.
 [[nodiscard]] std::string memory_lines(CampaignSpec const& spec, Plan const& plan);
+
+/// The same in bytes: file, scratch and memory; how many waves curves see, or null where that is all.
+[[nodiscard]] Json sizes_json(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan);
 
 }  // namespace overturn::cli

@@ -169,5 +169,35 @@ TEST_F(Scripts, ABatchJobsEndIsALimit) {
     }
 }
 
+// all that the text of `plan` says.
+TEST_F(Scripts, PlanIsJson) {
+    folder.write("c.toml", campaign_on_points(500) + "[[limits]]\nname='slips'\nquantity='peak_slip'\nabove='1 mm'\n");
+    auto const plan = told({"plan", "c.toml", "--json", "--ranks", "16"});
+    for (auto const* key :
+         {"title",        "waves",           "trials",   "blocks",      "block_waves", "wave_source",
+          "differ_by",    "records",         "bodies",   "levels",      "limits",      "effects",
+          "validated",    "rare_max_waves",  "warnings", "assumptions", "file_bytes",  "scratch_bytes",
+          "memory_bytes", "waves_of_curves", "probe",    "ranks"}) {
+        EXPECT_TRUE(plan.contains(key)) << key;
+    }
+    EXPECT_EQ(plan["bodies"].size(), 5U);
+    EXPECT_DOUBLE_EQ(plan["bodies"][0]["mass_kg"], 12600);
+    EXPECT_EQ(plan["levels"]["levels"][1]["stated"], 600);
+    EXPECT_DOUBLE_EQ(plan["levels"]["levels"][1]["amplitude"], 6);
+    EXPECT_EQ(plan["levels"]["levels"][1]["purpose"], "design-basis");
+    EXPECT_EQ(plan["limits"][0]["name"], "slips");
+    EXPECT_GT(plan["probe"]["wave_s"], 0);
+    EXPECT_FALSE(plan["probe"]["models"].empty());
+    auto const& sixteen = plan["ranks"].back();
+    EXPECT_EQ(sixteen["ranks"], 16);
+    double const block_s = plan["probe"]["wave_s"].get<double>() * 500 / plan["blocks"].get<double>();
+    double const rounds = std::ceil(plan["blocks"].get<double>() / 16);
+    EXPECT_NEAR(sixteen["work_s"], rounds * block_s, 1e-9 * rounds * block_s);
+    EXPECT_NEAR(sixteen["busy"], plan["blocks"].get<double>() * block_s / (16 * sixteen["wall_s"].get<double>()), 1e-9);
+    auto const text = planned(folder, {"c.toml", "--ranks", "1000", "--full"}).out;
+    EXPECT_NE(text.find(" on 1000 ranks, which compute "), std::string::npos) << text;
+    EXPECT_EQ(overturn(folder, {"plan", "c.toml", "--ranks", "0"}).code, 2);
+}
+
 }  // namespace
 }  // namespace overturn::testing
