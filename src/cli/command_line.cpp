@@ -1,6 +1,9 @@
 #include "cli/command_line.hpp"
 
+#include <algorithm>
+#include <filesystem>
 #include <optional>
+#include <system_error>
 #include <type_traits>
 #include <vector>
 
@@ -55,6 +58,25 @@ std::string explain(CLI::App const& app, CLI::ParseError const& error, int argc,
         return fmt::format("'{}' (one argument too many). See {}", extra, help);
     }
     return fmt::format("{} (the command line is not understood). See {}", error.what(), help);
+}
+
+// "--set a=1 b=2" as "--set a=1 --set b=2". What is no more than a name, an option, or the name of a file ends it.
+std::vector<std::string> with_each_setting(int argc, char const* const* arguments) {
+    std::vector<std::string> words(arguments, arguments + argc);
+    bool among = false;
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        std::string const word = words[i];
+        std::error_code ignored;
+        bool const more = among && !word.starts_with('-') && word.find('=') != std::string::npos
+                          && !std::filesystem::exists(word, ignored);
+        if (more) {
+            words.insert(words.begin() + static_cast<std::ptrdiff_t>(i), "--set");
+        }
+        bool const named = word == "--set";
+        among = more || named || word.starts_with("--set=");
+        i += more || named ? 1 : 0;  // its value, whatever that is
+    }
+    return words;
 }
 
 template <class Value>
@@ -117,7 +139,10 @@ Verb CommandLine::verb(std::string const& name, std::string const& help) {
 
 int CommandLine::run(int argc, char const* const* arguments) {
     try {
-        parser_->parse(argc, arguments);
+        auto words = with_each_setting(argc, arguments);
+        words.erase(words.begin(), words.begin() + std::min(argc, 1));
+        std::ranges::reverse(words);  // as the parser takes them
+        parser_->parse(words);
     } catch (CLI::Success const& help) {
         return parser_->exit(help);
     } catch (CLI::ParseError const& error) {

@@ -116,7 +116,7 @@ void add_cost(CommandLine& line) {
     verb.takes("--waves", options->waves, "waves of the sample; default: what fits into about a minute");
     verb.takes("--sensitivity", options->sensitivity,
                "instead: what every number that is said to be assumed does to median and P (up to 200 waves)");
-    verb.takes("--set", options->settings, "override a key: waves.count=50");
+    verb.takes("--set", options->settings, "override keys: waves.count=50 seed=2", "KEY=VALUE ...");
     verb.takes("--json", options->json, "as JSON");
     verb.does([options] { return study(*options); });
 }

@@ -88,7 +88,7 @@ void add_spectra(CommandLine& line) {
     options->unit.offered_by(verb);
     verb.takes("--plot", options->plot, "draw them: out.svg, .png or .pdf");
     verb.takes("--json", options->json, "as JSON");
-    verb.takes("--set", options->settings, "override a key: seed=2");
+    verb.takes("--set", options->settings, "override keys: seed=2 waves.count=50", "KEY=VALUE ...");
     verb.does([options] { return show_spectra(*options); });
 }
 

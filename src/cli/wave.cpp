@@ -125,7 +125,7 @@ void add_wave(CommandLine& line) {
     verb.takes("--plot", options->plot, "draw it: out.svg, .png or .pdf");
     options->unit.offered_by(verb);
     verb.takes("--json", options->json, "how right the wave is, clause by clause, on standard output");
-    verb.takes("--set", options->settings, "override a key: seed=2");
+    verb.takes("--set", options->settings, "override keys: seed=2 waves.count=50", "KEY=VALUE ...");
     verb.does([options] { return show_wave(*options); });
 }
 

@@ -199,5 +199,24 @@ TEST_F(Scripts, PlanIsJson) {
     EXPECT_EQ(overturn(folder, {"plan", "c.toml", "--ranks", "0"}).code, 2);
 }
 
+// settings one by one or several behind one --set; whatever else stands there is what it was.
+TEST_F(Scripts, SeveralSettings) {
+    write(3);
+    auto const waves = [&](std::vector<std::string> const& words) {
+        auto const plan = told(joined({"plan", "--json"}, words));
+        return std::pair(plan["waves"].get<int>(), plan["title"].get<std::string>());
+    };
+    auto const expected = std::pair(2, std::string("t=1"));
+    EXPECT_EQ(waves({"c.toml", "--set", "waves.count=2", "title=t=1"}), expected);
+    EXPECT_EQ(waves({"c.toml", "--set=waves.count=2", "title=t=1"}), expected);
+    EXPECT_EQ(waves({"c.toml", "--set", "waves.count=2", "--set", "title=t=1"}), expected);
+    EXPECT_EQ(waves({"--set", "waves.count=2", "title=t=1", "c.toml"}), expected);
+    std::filesystem::rename(folder / "c.toml", folder / "mu=0.5.toml");
+    EXPECT_EQ(waves({"--set", "waves.count=2", "title=t=1", "mu=0.5.toml"}), expected);
+    auto const ended = overturn(folder, {"plan", "mu=0.5.toml", "--set", "waves.count=2", "seed"});
+    EXPECT_EQ(ended.code, 2);
+    EXPECT_NE(ended.err.find("'seed' (one argument too many)"), std::string::npos) << ended.err;
+}
+
 }  // namespace
 }  // namespace overturn::testing
