@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -52,6 +54,33 @@ void make_place(fs::path const& folder, std::vector<fs::path> const& files, bool
     }
 }
 
+// What `about.csv` of an earlier export says that it is of; empty if there is none.
+std::string exported_from(fs::path const& about) {
+    std::ifstream file(about);
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with("content_sha256,")) {
+            line.erase(0, line.find(',') + 1);
+            return line.substr(0, line.find_first_of("\r,"));
+        }
+    }
+    return {};
+}
+
+// Tables that are there and stay beside those that are written must be of the same results.
+void refuse_mixture(fs::path const& folder, std::vector<std::string> const& all, std::vector<fs::path> const& written,
+                    std::string const& content) {
+    if (exported_from(folder / "about.csv") == content) {
+        return;
+    }
+    for (auto const& name : all) {
+        bool const stays = std::ranges::find(written, folder / name) == written.end() && fs::exists(folder / name);
+        validate(!stays,
+                 "{}: stays beside these tables (and may be of other results). Name another folder with -o, or remove "
+                 "it",
+                 (folder / name).string());
+    }
+}
+
 int write_tables(ExportOptions const& options) {
     check(options);
     store::ResultsReader const file(options.file, options.unverified.trust());
@@ -60,7 +89,9 @@ int write_tables(ExportOptions const& options) {
     auto const folder = options.place();
     auto const book = folder / "tables.xlsx";
     std::vector<fs::path> files;
+    std::vector<std::string> names{book.filename().string()};
     for (auto const& sheet : sheets) {
+        names.push_back(sheet.name + ".csv");
         if (options.writes("csv")) {
             files.push_back(folder / (sheet.name + ".csv"));
         }
@@ -69,6 +100,7 @@ int write_tables(ExportOptions const& options) {
         output::require_workbook(sheets);
         files.push_back(book);
     }
+    refuse_mixture(folder, names, files, file.text("content_sha256"));
     make_place(folder, files, options.force);
     for (std::size_t i = 0; i < sheets.size() && options.writes("csv"); ++i) {
         output::write_csv(files[i], sheets[i]);

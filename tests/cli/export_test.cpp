@@ -109,6 +109,29 @@ TEST_F(Export, RefusesWhatItCannotDo) {
     EXPECT_EQ(files_in("other"), 1U) << "refused before anything is written";
 }
 
+// R-1105: tables of two results files are never left in one folder, forced or not; of one file kind may follow kind.
+TEST_F(Export, OfTwoFilesDoNotMix) {
+    unpack("results-5");
+    std::filesystem::rename(folder / "c.h5", folder / "first.h5");
+    unpack("results-4");
+    ASSERT_EQ(overturn(folder, {"export", "first.h5", "-o", "t", "--as", "csv"}).code, 0);
+    auto const about = folder.read("t/about.csv");
+    expect_refused({"c.h5", "-o", "t"}, "t/trials.csv: ");
+    for (auto const* force : {"", "--force"}) {
+        std::vector<std::string> words{"c.h5", "-o", "t", "--as", "xlsx"};
+        if (*force != 0) {
+            words.emplace_back(force);
+        }
+        expect_refused(words, "t/trials.csv: stays beside these tables (and may be of other results)");
+    }
+    EXPECT_EQ(files_in("t"), 6U);
+    EXPECT_TRUE(folder.read("t/about.csv") == about);
+    EXPECT_EQ(overturn(folder, {"export", "first.h5", "-o", "t", "--as", "xlsx"}).code, 0) << "of the same file";
+    expect_refused({"c.h5", "-o", "t", "--as", "csv", "--force"}, "t/tables.xlsx: stays beside these tables");
+    EXPECT_EQ(overturn(folder, {"export", "c.h5", "-o", "t", "--force"}).code, 0) << "all of them take the new place";
+    EXPECT_FALSE(folder.read("t/about.csv") == about);
+}
+
 TEST_F(Export, WhatIsNotWholeIsNotExported) {
     folder.write("target.csv", target_csv);
     folder.write("c.toml", small_campaign("shared", 2));
