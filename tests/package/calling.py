@@ -32,10 +32,20 @@ class Calling(unittest.TestCase):
         with self.assertRaises(overturn.Stopped) as caught:
             overturn.run("campaign.toml", "stopped.h5", settings=many, max_walltime="0.05 s")
         self.assertEqual(caught.exception.code, 3)
-        self.assertFalse(overturn.status("stopped.h5").complete)
+        told = overturn.status("stopped.h5")
+        self.assertFalse(told.complete)
+        self.assertEqual(told.facts["blocks"]["done"] + told.facts["blocks"]["left"], 40)
+        self.assertFalse(told.facts["under_way"])
+        self.assertIn("--resume", told.facts["next"])
+        if told.facts["blocks"]["done"]:
+            interim = overturn.fit("stopped.h5", interim=True)["interim"]
+            self.assertEqual((interim["waves"], interim["planned"]), (told.facts["waves"]["done"], 40))
         with overturn.run("campaign.toml", "stopped.h5", settings=many, resume=True) as results:
             self.assertEqual(len(results.waves["id"]), 40)
         self.assertTrue(overturn.status("stopped.h5").complete)
+        self.assertIsNone(overturn.fit("stopped.h5")["interim"])
+        with overturn.run("campaign.toml", "stopped.h5", settings={"waves.count": 42}, extend=True) as results:
+            self.assertEqual(len(results.waves["id"]), 42)
 
     def test_status_and_fit_are_parsed(self):
         told = overturn.status("campaign.h5")

@@ -13,8 +13,9 @@ from .errors import Error, Failed, Stopped
 HERE = pathlib.Path(__file__).absolute().parent  # not resolved: a build tree holds this package by a link
 STOPPED = 3  # exit code of what can go on
 
-Status = collections.namedtuple("Status", "complete text")
-Status.__doc__ = """Whether a results file is complete (else the run can go on), and what `overturn status` says of it."""
+Status = collections.namedtuple("Status", "complete text facts")
+Status.__doc__ = """Whether a results file is complete (else the run can go on), what `overturn status` says of it in one line,
+and all of it as a dictionary: blocks, waves, trials, whether a run is under way, how to go on, an extension."""
 
 
 def program_path(stated=None):
@@ -48,16 +49,17 @@ def call(*arguments, program=None, launch=()):
     raise (Stopped if ended.returncode == STOPPED else Failed)(errors[0], ended.returncode)
 
 
-def run(campaign, output=None, *, settings=None, resume=False, max_walltime=None, launch=(), program=None):
+def run(campaign, output=None, *, settings=None, resume=False, extend=False, max_walltime=None, launch=(), program=None):
     """Runs a campaign and opens its results; returns when it is complete.
 
     output: the results file; default: the campaign's name with .h5, in the working folder
+    resume: go on with what an earlier run left; extend: take the rows of a finished file at output
     settings: {"waves.count": 3}: values in place of the file's; text as a campaign file spells it
     launch: "mpirun -n 4", or a list
     Raises Stopped where it ended early and can go on (resume=True), Failed where it cannot, with the program's own words."""
     from .results import Results
     output = os.fspath(output) if output is not None else pathlib.Path(campaign).stem + ".h5"
-    arguments = ["run", campaign, "-o", output, *(["--resume"] if resume else [])]
+    arguments = ["run", campaign, "-o", output, *(["--resume"] if resume else []), *(["--extend"] if extend else [])]
     for key, value in (settings or {}).items():
         arguments += ["--set", f"{key}={toml(value)}"]
     if max_walltime is not None:
@@ -74,11 +76,17 @@ def toml(value):
 
 
 def status(file, program=None):
-    """Whether a results file, or the run that is to write it, is complete. Raises Failed for what is neither."""
-    ended = call("status", file, program=program)
-    return Status(ended.returncode == 0, ended.stdout.strip())
+    """Whether a results file, or the run that is to write it, is complete: a Status. Cheap, also while it is under way.
+
+    Raises Failed for what is neither."""
+    ended = call("status", file, "--json", program=program)
+    facts = json.loads(ended.stdout)
+    return Status(ended.returncode == 0, facts["text"], facts)
 
 
-def fit(file, *arguments, program=None):
-    """What `overturn fit FILE --json` says, parsed: stripes, curves, intervals. arguments: "--beta-u", "0.2" ..."""
-    return json.loads(call("fit", file, "--json", *arguments, program=program).stdout)
+def fit(file, *arguments, interim=False, program=None):
+    """What `overturn fit FILE --json` says, parsed: stripes, curves, intervals. arguments: "--beta-u", "0.2" ...
+
+    interim: of the waves that an unfinished run has done so far; "interim" of the answer says how many."""
+    flags = ["--interim"] if interim else []
+    return json.loads(call("fit", file, "--json", *flags, *arguments, program=program).stdout)
