@@ -63,8 +63,12 @@ std::string friction_text(BodySpec const& body) {
                            slope, 100 * below);
     }
     auto const compared = fmt::format("friction {:.4g} {} tan(alpha) {:.4g}", mu, mu < slope ? "<" : ">=", slope);
+    auto const& base = body.footing.base;
+    bool const bears_further_in = base.is_bed() || base.shape == BaseShape::round;
     if (mu < slope) {
-        return compared + ": slides before it rocks, not expected to overturn";
+        return compared
+               + (bears_further_in ? ": slides first; on its bed or rim it may rock"
+                                   : ": slides before it rocks, not expected to overturn");
     }
     constexpr double near = 1.15;  // up to here slip changes peak rotations by orders of magnitude
     return compared + (mu < near * slope ? ": rocks and slides at once" : ": rocks before it slides");

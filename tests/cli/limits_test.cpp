@@ -228,10 +228,12 @@ TEST_F(Limits, PlanTellsThemAndWhatSlidesFirst) {
     EXPECT_EQ(plan.find("effects   "), std::string::npos);
 
     auto strong = small_campaign();
-    strong.insert(strong.find("friction=0.5\n"), "pad={strength='30 MPa'}\n");
+    strong.insert(strong.find("friction=0.5\n"), "pad={strength='30 MPa'}\nbase={bedding='flat'}\n");
     folder.write("crush.toml", strong + "[[limits]]\nname='crushed'\nquantity='peak_crush'\nabove='1 mm'\n");
     auto const calls = planned(folder, {"crush.toml"}).out;
     EXPECT_NE(calls.find("effects   sliding, contact in every trial"), std::string::npos) << calls;
+    EXPECT_NE(calls.find("0.5 < tan(alpha) 0.6507: slides first; on its bed or rim it may rock"), std::string::npos)
+        << calls;
 }
 
 // A limit state's own target ends a run, at the same wave on any ranks, and overturning, of which the first
