@@ -1,5 +1,7 @@
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "qualify/detail/published_parts.hpp"
 #include "qualify/published.hpp"
 
