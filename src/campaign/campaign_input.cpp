@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/campaign_spec.hpp"
+#include "campaign/detail/campaign_keys.hpp"
 #include "campaign/detail/unsound.hpp"
 #include "campaign/withdrawn_keys.hpp"
 #include "config/stated_values.hpp"
@@ -42,7 +43,9 @@ bool is_below(std::string const& key, std::string_view table) {
 // Of what a campaign states: all but what moves neither a row nor a block.
 StatedValues decisive(CampaignInput const& input) {
     auto values = config::stated_values(input.text, input.name, input.settings);
-    values.erase("title");
+    std::erase_if(values, [](auto const& each) {
+        return std::ranges::any_of(cover_keys, [&](config::Key const& key) { return is_below(each.first, key.name); });
+    });
     values.erase("statistics.confidence");
     return values;
 }

@@ -32,7 +32,8 @@ struct CampaignInput {
     /// SHA-256 of text, settings and files; neither the name nor program, machine and libraries count.
     [[nodiscard]] std::string sha256() const;
     /// What finished blocks belong to: every key that may decide a row or which waves a block holds, the files, the
-    /// program, the kind of machine and the libraries; neither comments nor title nor confidence.
+    /// program, the kind of machine and the libraries; neither comments nor confidence, nor what pages bear (title,
+    /// question, who signs).
     [[nodiscard]] std::string block_key() const;
 
     [[nodiscard]] std::string serialise() const;

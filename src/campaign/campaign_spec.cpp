@@ -178,7 +178,14 @@ namespace {
 // What needs nothing of the other tables; each tells its own faults.
 void read_apart(Table const& root, InputFiles& files, CampaignSpec& spec) {
     config::FaultGatherer faults;
-    faults.run([&] { spec.title = root.text(campaign_keys["title"]); });
+    faults.run([&] {
+        spec.title = root.text(campaign_keys["title"]);
+        spec.cover = {.question = root.text(campaign_keys["question"]),
+                      .prepared = root.text(campaign_keys["prepared"]),
+                      .checked = root.text(campaign_keys["checked"]),
+                      .approved = root.text(campaign_keys["approved"]),
+                      .revision = root.text(campaign_keys["revision"])};
+    });
     faults.run([&] { (void)keeps_hashes_only(root); });
     faults.run([&] { spec.seed = root.integer(campaign_keys["seed"]); });
     faults.run([&] { spec.bodies = read_bodies(root, files); });

@@ -52,8 +52,14 @@ struct MeasureSpec {
     MovementSpec movement = {};
 };
 
+/// What the cover of a page bears beside the title; empty: not stated.
+struct CoverText {
+    std::string question, prepared, checked, approved, revision;
+};
+
 struct CampaignSpec {
     std::string title;
+    CoverText cover;
     std::uint64_t seed = 0;
     std::int64_t wave_count = 0;  ///< shared, or per level
     std::unique_ptr<WaveSource> source;

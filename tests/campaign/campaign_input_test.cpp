@@ -59,7 +59,8 @@ TEST(CampaignInput, BlocksBelongToCampaignProgramAndMachine) {
     text.text.replace(text.text.find("x = 2"), 5, "x = 3");
     auto blank = base;
     blank.text += "# ";
-    blank.text += "\ntitle = 'another'\n";
+    blank.text +=
+        "\ntitle = 'another'\nquestion = 'why?'\nprepared = 'a'\nchecked = 'b'\napproved = 'c'\nrevision = '1'\n";
     EXPECT_EQ(blank.block_key(), base.block_key());
     EXPECT_NE(blank.sha256(), base.sha256());
     auto program = base;

@@ -193,12 +193,13 @@ TEST_F(Extend, OfModelsWithColumnsOfTheirOwn) {
     expect_as_at_once();
 }
 
-// R-1107: title, confidence, limits and comments compute nothing anew; fewer waves are kept as well.
+// R-1107, R-921: title, cover, confidence, limits and comments compute nothing anew; fewer waves are kept as well.
 TEST_F(Extend, WhatMovesNoRowTakesAll) {
     write(small_campaign("shared", 6));
     ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
     auto text = small_campaign("shared", 6);
     text.replace(text.find("small"), 5, "other");
+    text = "question='q?'\nprepared='p'\nchecked='c'\napproved='a'\nrevision='1'\n" + text;
     for (auto const& added : {std::string("# a comment\n"), std::string("[statistics]\nconfidence=0.9\n"),
                               std::string("[[limits]]\nname='slips'\nquantity='peak_slip'\nabove='1 mm'\n")}) {
         text += added;

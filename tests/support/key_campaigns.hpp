@@ -96,7 +96,7 @@ inline std::vector<std::string> key_campaigns() {
                     "both_radius_units=true\nwindow='running'\nsa_periods=[1.0,2.0]\nsa_band=[1,2]\ncurves=['cav']\n[accuracy]\n"
                     "restoring='nonlinear'\n"
                     "contact_step=0.3\npanel_phase=10\n");
-    all.push_back("title='t'\ninputs='stored'\nseed=1\n" + noise + "model='kanai-tajimi'\n" + usual
+    all.push_back("title='t'\nquestion='q?'\nprepared='p'\nchecked='c'\napproved='a'\nrevision='0'\ninputs='stored'\nseed=1\n" + noise + "model='kanai-tajimi'\n" + usual
                   + "friction=0.5\n[effects]\nmode='auto'\n[statistics]\nconfidence=0.9\ntarget_half_width=0.1\n"
                     "target_median_half_width=0.1\n[[limits]]\nname='a'\nquantity='peak_slip'\nabove='0.1 m'\n"
                     "overturned='excluded'\ntarget_half_width=0.2\n[[limits]]\nname='b'\nquantity='peak_slip'\nbelow='0.1 m'\n"

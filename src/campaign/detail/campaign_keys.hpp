@@ -104,6 +104,11 @@ inline constexpr config::KeyTable statistics_table{
 
 inline constexpr config::Keys campaign_keys{
     config::text_key("title", "of pages and figures").optional(),
+    config::text_key("question", "that the campaign answers, for the cover of its page").optional(),
+    config::text_key("prepared", "who prepared the calculation, for the cover of its page").optional(),
+    config::text_key("checked", "who checked it").optional(),
+    config::text_key("approved", "who approved it").optional(),
+    config::text_key("revision", "of the calculation, for the cover of its page").optional(),
     config::integer_key("seed", 0, std::numeric_limits<std::int64_t>::max(), "of all random numbers"),
     inputs_key,
     config::table_key("waves", &wave_tables, "what shakes the bodies"),
@@ -117,5 +122,9 @@ inline constexpr config::Keys campaign_keys{
     config::tables_key<limit_table>("limits", "limit states beside overturning").optional(),
     config::table_key<rare_keys_table>("rare", "rare events").optional(),
     config::table_key<accuracy_table>("accuracy", "how exactly trials are followed").optional()};
+
+/// What stands on the cover of a page and decides no number: whoever changes it keeps every trial.
+inline constexpr std::array cover_keys{campaign_keys["title"],   campaign_keys["question"], campaign_keys["prepared"],
+                                       campaign_keys["checked"], campaign_keys["approved"], campaign_keys["revision"]};
 
 }  // namespace overturn
