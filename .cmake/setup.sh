@@ -6,7 +6,8 @@ set -u
 
 packages=(g++ cmake ninja-build git ca-certificates libopenmpi-dev openmpi-bin libeigen3-dev libhdf5-dev libgsl-dev libfftw3-dev
           libfmt-dev libgtest-dev libtomlplusplus-dev libcli11-dev nlohmann-json3-dev libssl-dev librandom123-dev libhwy-dev
-          musl-dev libmseed-dev libxlsxwriter-dev)
+          musl-dev libmseed-dev libxlsxwriter-dev
+          node-d3-zoom)  # goes into pages: figures zoom, tables sort; without it they are whole and still
 for wish in "$@"; do
     case $wish in
         tests) packages+=(python3-h5py python3-numpy python3-matplotlib python3-jsonschema  # another reading of our files; figures

@@ -95,7 +95,8 @@ int qualify_here(QualifyOptions const& options, parallel::Communicator const& co
             .mpi = parallel::Communicator::library(),
             .folder = fs::absolute(options.folder).lexically_normal().string(),
             .ranks = comm.size(),
-            .date = options.date};
+            .date = options.date,
+            .published = options.published};
         return fmt::format("{}", print_outcome(options, shown));
     }));
 }

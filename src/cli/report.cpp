@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
 #include <span>
@@ -20,6 +19,8 @@
 #include "cli/outcome_report.hpp"
 #include "cli/rare_waves_json.hpp"
 #include "cli/report_bodies.hpp"
+#include "cli/report_checks.hpp"
+#include "cli/report_cost.hpp"
 #include "cli/report_facts.hpp"
 #include "cli/shown_trials.hpp"
 #include "cli/spectra_of_waves.hpp"
@@ -29,8 +30,8 @@
 #include "output/answer.hpp"
 #include "output/campaign_tables.hpp"
 #include "output/fit_json.hpp"
+#include "output/package_text.hpp"
 #include "output/page_text.hpp"
-#include "output/stripe_text.hpp"
 #include "output/summary_tables.hpp"
 #include "output/waves_text.hpp"
 #include "report/cost_page.hpp"
@@ -41,7 +42,6 @@
 #include "results/recount.hpp"
 #include "results/stored_names.hpp"
 #include "results/telling_trials.hpp"
-#include "runner/runtime_file.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::cli {
@@ -50,7 +50,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct ReportOptions {
-    std::string file, page, figures, outcomes, hazard;
+    std::string file, page, figures, outcomes, hazard, date;
+    std::vector<std::string> records;
     double beta_u = 0;
     VelocityUnit unit;
     std::optional<double> confidence;  ///< none: the campaign's
@@ -103,38 +104,6 @@ Json spectra_of(CampaignInput const& input, CampaignSpec const& spec) {
         return spectra_json(spec, spectra_of_waves(input, spec, most, paper_damping));
     } catch (InputError const&) {
         return nullptr;  // none of them can be made: failed rows
-    }
-}
-
-Json cost_lines(Json const& runtime, fs::path const& path) {
-    auto lines = Json::array();
-    auto const& segments = runtime.at(runtime.contains("segments") ? "segments" : "legs");  // as they were called once
-    std::int64_t most_ranks = 0;
-    for (auto const& segment : segments) {
-        most_ranks = std::max(most_ranks, segment.at("ranks").get<std::int64_t>());
-    }
-    lines.push_back(output::cost_text(runtime.at("wall_s").get<double>(), most_ranks, segments.size(),
-                                      runtime.at("trials_per_s").get<double>(), path.filename().string()));
-    std::vector<std::string> ranks;
-    for (auto const& rank : runtime.at("ranks")) {
-        ranks.push_back(rank.dump());
-    }
-    lines.push_back(output::model_costs(sum_of_models(ranks)));
-    return lines;
-}
-
-// Times are no part of the results: without them, or with ones that nobody can read, the page just does not tell them.
-Json cost_of(fs::path path) {
-    path.replace_extension(".runtime.json");
-    if (!fs::is_regular_file(path)) {
-        return Json::array();
-    }
-    try {
-        std::ifstream stream(path);
-        return cost_lines(Json::parse(stream), path);
-    } catch (Json::exception const&) {
-        print_note("{}: not as overturn run writes it (damaged?). The page shows no times\n", path.string());
-        return Json::array();
     }
 }
 
@@ -219,15 +188,24 @@ Json begun(ReportOptions const& options, CampaignSpec const& spec) {
 
 void add_stated_facts(ReportOptions const& options, double confidence, Json& data) {
     data["confidence"] = confidence;
-    data["facts"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
+    data["method"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
     if (options.beta_u > 0) {
         data["facts"].push_back({"beta_U as stated", fmt::format("{:g}", options.beta_u)});
     }
 }
 
+void add_cover(ReportOptions const& options, CampaignSpec const& spec, Json& data) {
+    data["cover"] = {{"question", output::question_text(spec)},
+                     {"date", options.date},
+                     {"revision", spec.cover.revision},
+                     {"signatures", output::signatures(spec.cover)}};
+    data["method_lines"] = output::method_lines(spec);
+}
+
 int write_report(ReportOptions const& options) {
     check_places(options);
     check_fit_options(options.beta_u, options.confidence);
+    auto const records = read_check_records(options.records);
     (void)options.unit.si();
     store::ResultsReader const file(options.file, options.unverified.trust());
     auto input = input_of(file);
@@ -244,10 +222,14 @@ int write_report(ReportOptions const& options) {
     data["fit"]["assumptions"] = assumptions_json(spec);
     auto const telling = telling_trials(spec, file);
     data["fit"]["telling_trials"] = output::json_of(output::telling_trial_table(spec, telling));
+    add_checks(records, options.file, file, data);
+    add_hand_checks(spec, data);
     add_rare(file, spec, data);
     data["changed"] = changed ? output::changed_file_text() : "";
     data["facts"] = facts_of(spec, plan, statistics);
+    data["method"] = method_of(spec);
     add_stated_facts(options, confidence, data);
+    add_cover(options, spec, data);
     auto const frequencies = options.hazard.empty()
                                  ? std::vector<BodyFrequency>{}
                                  : add_frequencies(options.hazard, spec, statistics, analysis, confidence, data);
@@ -288,6 +270,10 @@ void add_report(CommandLine& line) {
                "TABLE.csv");
     verb.takes("--hazard", options->hazard,
                "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv)");
+    verb.takes("--record", options->records,
+               "list this check among those made: what verify, qualify or cost wrote with --json; may be repeated",
+               "CHECK.json");
+    verb.takes("--date", options->date, "that the cover shall bear, as you write it; default: none");
     verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known of the body");
     verb.takes("--confidence", options->confidence, "of the intervals; default: the campaign's");
     options->unverified.offered_by(verb);

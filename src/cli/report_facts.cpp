@@ -19,7 +19,7 @@ namespace {
 std::string effects_text(CampaignSpec const& spec) {
     switch (spec.effects.mode) {
         case EffectMode::automatic:
-            return "auto: what each scene calls for"
+            return "auto: what each scene requires"
                    + (spec.effects.include == 0
                           ? std::string()
                           : fmt::format("; {} in every trial, for the limit states that only they can answer",
@@ -42,9 +42,8 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
     add("waves", fmt::format("{} ({})", output::ran_text(waves, plan.asked()), spec.source->text()));
     add("waves differ by", spec.source->about().variability);
     if (auto const sigma = statistics.achieved_sigma()) {
-        add("by how much", output::sigma_text(*sigma));
+        add("scatter about the median", output::sigma_text(*sigma));
     }
-    add("validated range", validated_range_text(spec));
     auto const rule = std::ranges::find(acceptance_rules(), spec.source->about().acceptance.rule,
                                         &config::Entry<AcceptanceRule>::name);
     add("acceptance of waves", rule == acceptance_rules().end() ? spec.source->about().acceptance.rule
@@ -54,10 +53,17 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
                               spec.levels.independent_waves ? ", each with waves of its own"
                                                             : ", the same waves scaled to each"));
     add("trials", output::ran_text(waves * plan.trials_per_wave(), plan.asked() * plan.trials_per_wave()));
-    add("effects", effects_text(spec));
     for (std::size_t l = 1; l < spec.limits.size(); ++l) {
         add("limit state", fmt::format("{}: {}", spec.limits[l].name, definition_of(spec.limits[l], spec.limits)));
     }
+    return facts;
+}
+
+Json method_of(CampaignSpec const& spec) {
+    auto facts = Json::array();
+    auto const add = [&](char const* name, std::string value) { facts.push_back({name, std::move(value)}); };
+    add("effects", effects_text(spec));
+    add("validated range", validated_range_text(spec));
     add("integration",
         fmt::format("Taylor series of order {}, {} a sample, tolerance {:.1g}", spec.accuracy.rocking.taylor_order,
                     spec.accuracy.rocking.substeps, spec.accuracy.rocking.step_tolerance));

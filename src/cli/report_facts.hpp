@@ -12,4 +12,7 @@ namespace overturn::cli {
 /// Pairs of what is meant and what was asked for, or run of it.
 [[nodiscard]] nlohmann::ordered_json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& statistics);
 
+/// Pairs of what belongs to the method and how it was set: effects, validated range, integration.
+[[nodiscard]] nlohmann::ordered_json method_of(CampaignSpec const& spec);
+
 }  // namespace overturn::cli

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -45,6 +46,29 @@ std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec
     return nearest;
 }
 
+// Of each body the trial that came farthest at the design basis: one that fell, else by tilt, else by slip. None where
+// nothing moved there, or no level is the design basis.
+std::vector<std::optional<std::int64_t>> farthest_at_design_basis(CampaignSpec const& spec, Plan const& plan,
+                                                                  store::ResultsReader const& file) {
+    std::vector<std::optional<std::int64_t>> farthest(spec.bodies.size());
+    std::vector<std::tuple<bool, double, double>> reached(spec.bodies.size());
+    auto const ends = stored_verdicts(file);
+    auto const tilts = reals_or_unknown(file, "trials/peak_rotation_ratio", ends.size());
+    auto const slips = reals_or_unknown(file, "trials/peak_slip", ends.size());
+    for (std::size_t t = 0; t < ends.size(); ++t) {
+        auto const trial = plan.trial(t);
+        auto const body = static_cast<std::size_t>(trial.body);
+        auto const& end = entry_of(ends[t]);
+        std::tuple const here{end.fell, tilts[t], slips[t]};
+        if (spec.levels.levels.at(trial.level).purpose == LevelClass::design_basis && end.moved && end.decided
+            && here > reached[body]) {
+            reached[body] = here;
+            farthest[body] = static_cast<std::int64_t>(t);
+        }
+    }
+    return farthest;
+}
+
 // One that is there already only gets a further word.
 void add(std::vector<ChosenTrial>& of_body, std::int64_t trial, std::string const& word) {
     auto const known = std::ranges::find(of_body, trial, &ChosenTrial::trial);
@@ -60,6 +84,11 @@ std::vector<ChosenTrial> chosen(CampaignSpec const& spec, Plan const& plan, std:
     std::vector<TellingTrial> by_kind(telling.begin(), telling.end());
     std::ranges::stable_sort(by_kind, {}, &TellingTrial::kind);
     std::vector<std::vector<ChosenTrial>> offered(spec.bodies.size());
+    for (auto const& trial : farthest_at_design_basis(spec, plan, file)) {
+        if (trial) {
+            add(offered.at(plan.trial(*trial).body), *trial, "farthest at the design basis");
+        }
+    }
     for (auto const& t : by_kind) {
         add(offered.at(t.body), t.trial, std::string(telling_kinds.at(static_cast<std::size_t>(t.kind))));
     }

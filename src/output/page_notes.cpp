@@ -49,29 +49,38 @@ Json outcome_notes() {
 Json page_notes(Answered const& of) {
     Json notes{
         {"bodies",
-         "Outline: the parts it is assembled from, or, dashed, a block about the centre of gravity, for scale. Only "
-         "base, centre and inertia enter the equations."},
-        {"criterion", "False safe: measure below V_Ereq, yet overturned. False alarm: above it, yet stood."},
-        {"response", "V_resp / V_Ereq of the trials that moved and stood: median (5 % to 95 %)."},
-        {"rare", "What is not trusted or not resolved has no number, only a bound that plain trials alone give."},
+         "The outline shows the parts of the body. A dashed outline is a block about the centre of gravity, for scale. "
+         "Only base, centre of gravity and inertia enter the equations."},
+        {"criterion",
+         "False safe: the measure is below V_Ereq, yet the body overturned. False alarm: it is above V_Ereq, yet the "
+         "body did not overturn."},
+        {"response", "V_resp / V_Ereq of trials that moved but did not overturn: median (5th to 95th percentile)."},
+        {"rare",
+         "An estimate that is not trusted or not resolved is not reported. In its place stands the upper bound from "
+         "plain trials."},
         {"telling_trials",
-         "Nearest miss and largest slip are of trials that stood. A verdict changes back where a wave that overturned "
-         "the body stood at a higher level."},
+         "Nearest miss and largest slip are of trials that did not overturn. Changes back: the same wave overturned "
+         "the body at a lower level."},
         {"frequency",
-         "Times a year. The interval is the answer: it bounds what lies outside of levels and hazard curve. Beside it "
-         "stand the mean by the curve and how much of that mean is extrapolated."},
+         "Annual frequency. The interval includes what lies beyond the levels and beyond the hazard curve. Beside it "
+         "stand the mean by the fitted curve and the part of that mean that is extrapolated."},
         {"variability", fmt::format("Waves differ by {}.", of.spec.source->about().variability)},
         {"other_measures", "The " + other_measures_text(of.spec.levels.measure_label()) + "."},
         {"many_bodies", "{bodies} bodies: no more than {most} are drawn in one picture."},
+        {"checks",
+         "A check without a record counts as not run. Its row names the command that writes the record (--record)."},
+        {"sensitivity",
+         "Each value that is stated to be assumed is moved alone, to both ends of its range or by a tenth, under the "
+         "same waves."},
         {"quantiles",
-         "In brackets: distribution-free interval between two order statistics of the trials; open where there are too "
-         "few. A body that fell lies above every slip, and counts as π/2 over α."},
+         "In brackets: distribution-free confidence interval (order statistics), open where there are too few trials. "
+         "A body that overturned counts as larger than every slip, and as a rotation of π/2."},
         {"assumptions", text_of(tally_of(physical_inputs(of.spec))) + "."},
         {"more_inputs", "{more} more: overturn fit --json lists all."},
         {"no_more_effects", "bears on trials that call for no more"},
         {"model_assumptions",
-         "Misjudged, unsafe: where it does not hold, more overturns than is computed. Effects were found by studies of "
-         "this project, under their own waves."},
+         "Unsafe: where the assumption fails, more overturns than is computed. The effects were found by studies of "
+         "this project, each under its own waves."},
         {"outcomes", outcome_notes()}};
     if (!of.analysis.empty() && of.analysis.front().grid) {
         auto why = grid_text(of.analysis.front().over_levels().fit.waves);

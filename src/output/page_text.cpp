@@ -161,8 +161,9 @@ std::vector<std::string> cut_short_lines(Answered const& of) {
 
 std::string cost_text(double wall_s, std::int64_t ranks, std::size_t runs, double trials_per_s,
                       std::string const& place) {
-    return fmt::format("Took {:.3g} s on {} ranks{}, {:.3g} trials a second (beside the results, in {}).", wall_s,
-                       ranks, runs > 1 ? fmt::format(" in {} runs", runs) : "", trials_per_s, place);
+    return fmt::format("Took {:.3g} s on {}{}, {:.3g} trials a second (times are in {}).", wall_s,
+                       ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks),
+                       runs > 1 ? fmt::format(" in {} runs", runs) : "", trials_per_s, place);
 }
 
 std::string false_safe_histories_text(std::size_t shown, std::size_t all) {
@@ -173,13 +174,14 @@ std::string false_safe_histories_text(std::size_t shown, std::size_t all) {
 }
 
 std::string wave_title(std::int64_t number, bool telling) {
-    return fmt::format("Wave {}{}", number, telling ? ": overturned something at the lowest level of all" : "");
+    return fmt::format("Wave {}{}", number, telling ? ": overturned a body at the lowest level" : "");
 }
 
 std::string histories_text(std::size_t shown, std::size_t bodies) {
-    return shown >= bodies ? std::string()
-                           : fmt::format("Histories are of {} of {} bodies; overturn replay --plot draws any trial's.",
-                                         shown, bodies);
+    return shown >= bodies
+               ? std::string()
+               : fmt::format("Histories are of {} of {} bodies. overturn replay --plot draws that of any trial.", shown,
+                             bodies);
 }
 
 std::string ran_text(std::int64_t ran, std::int64_t planned) {

@@ -30,7 +30,7 @@ namespace overturn::output {
 /// "12 of 15 tests that fell though their trial stood, ..."
 [[nodiscard]] std::string false_safe_histories_text(std::size_t shown, std::size_t all);
 
-/// The title of a drawn wave. \param telling it overturned something at the lowest level of all
+/// The title of a drawn wave. \param telling it overturned a body at the lowest level at which any did
 [[nodiscard]] std::string wave_title(std::int64_t number, bool telling);
 
 /// Of how many bodies histories are drawn; empty: of all.

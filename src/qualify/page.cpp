@@ -104,16 +104,16 @@ nlohmann::ordered_json json_of(Qualification const& shown) {
     for (auto const& left : shown.left_out) {
         left_out.push_back({{"result", left.result}, {"source", left.source}, {"reason", left.reason}});
     }
-    return {{"passed", shown.passed()},    {"program", shown.program},       {"machine", shown.machine},
-            {"compiler", shown.compiler},  {"libraries", shown.libraries},   {"mpi", shown.mpi},
-            {"ranks", shown.ranks},        {"folder", shown.folder},         {"date", shown.date},
-            {"checks", std::move(checks)}, {"left_out", std::move(left_out)}};
+    return {{"passed", shown.passed()},     {"program", shown.program},     {"machine", shown.machine},
+            {"compiler", shown.compiler},   {"libraries", shown.libraries}, {"mpi", shown.mpi},
+            {"ranks", shown.ranks},         {"folder", shown.folder},       {"date", shown.date},
+            {"published", shown.published}, {"checks", std::move(checks)},  {"left_out", std::move(left_out)}};
 }
 
 std::string page_of(Qualification const& shown) {
     output::RecordPage page{.title = "Qualification: " + verdict(shown),
                             .facts = circumstances(shown),
-                            .head = {"", "number", "what it shows", "source", "found"},
+                            .head = {"result", "number", "what it shows", "source", "found"},
                             .rows = {}};
     for (auto const& check : shown.checks) {
         page.rows.push_back(

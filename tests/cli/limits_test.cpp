@@ -171,7 +171,7 @@ TEST_F(Limits, ReportShowsThem) {
 
     for (auto const* part :
          {"<section id=\"limits\"", "<section id=\"responses\"", "_a $\\int &lt; b$: peak_slip &gt; 4 cm",
-          "<td class=short>slip [mm]</td>", "<th>at rest</th>", "every measure, with its rank (AUC)"}) {
+          "<td class=short>slip [mm]</td>", "<th scope=col>at rest</th>", "every measure, with its rank (AUC)"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     }
     auto const fitted = nlohmann::ordered_json::parse(overturn(folder, {"fit", "1.h5", "--json"}).out);

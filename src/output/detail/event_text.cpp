@@ -4,8 +4,10 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "output/interval_text.hpp"
+#include "output/package_text.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::output {
@@ -43,35 +45,10 @@ std::string rare_text(CampaignSpec const& spec, std::span<RareBody const> bodies
 }
 
 std::string hand_check_text(CampaignSpec const& spec, std::span<HandCheck const> checks) {
-    if (checks.empty()) {
-        return {};
-    }
-    auto text = fmt::format(
-        "\nby hand: energy balance under the 84 % spectrum of the first {} waves, of two horizontal components their "
-        "vector\n",
-        checks.front().waves);
-    if (!checks.front().left_out.empty()) {
-        text += fmt::format(
-            "  overturning leaves the waves' {} component out, which is unsafe; sliding counts it: mu (1 - 0.4 "
-            "A_v/g)\n",
-            checks.front().left_out);
-    }
-    for (auto const& check : checks) {
-        auto const level =
-            fmt::format("{:.4g} {}", spec.levels.shown(check.overturning_level), spec.levels.shown_units());
-        text += fmt::format(
-            "  {}: overturns above {} {} (the spectrum at {:.3g} Hz, {:.3g} % damping; tilt {:.2f} alpha)", check.body,
-            spec.levels.measure_label(), level, check.rocking.frequency_hz, 100 * check.rocking.damping,
-            check.rocking.rotation_rad / spec.bodies[&check - checks.data()].body.alpha_rad());
-        if (check.sliding_m) {
-            text += std::isinf(*check.sliding_m)
-                        ? std::string("; vertical motion takes all of its friction at the design basis")
-                    : *check.sliding_m > 0 ? fmt::format("; slides {:.2g} m at the design basis", *check.sliding_m)
-                                           : std::string("; does not slide at the design basis");
-        }
-        text += "\n";
-    }
-    return text;
+    auto const lines = hand_check_lines(spec, checks);
+    return lines.empty()
+               ? std::string()
+               : fmt::format("\nby hand: {}\n  {}\n", lines.front(), fmt::join(std::span(lines).subspan(1), "\n  "));
 }
 
 std::string telling_text(CampaignSpec const& spec, std::span<TellingTrial const> trials, std::string const& file) {

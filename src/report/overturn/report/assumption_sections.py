@@ -25,18 +25,24 @@ def model_row(one, notes):
     return [one["name"], one["assumed"] + source + limited, one["direction"], effect, one["key"]]
 
 
-def add(report):
-    stated = report.fit["assumptions"]
-    inputs, notes = stated["inputs"], report.notes
+def add_inputs(report):
+    """Every input with where it comes from."""
+    inputs, notes = report.fit["assumptions"]["inputs"], report.notes
     report.csv("inputs", ["key", "value", "basis", "source", "range", "place"], map(of_input, inputs))
-    model = [one for one in stated["model"] if one["bears"] != "none"]
+    drawn = table("inputs and their sources", ["input", "value (range)", "basis", "source and place"],
+                  map(input_row, inputs[:MOST]),
+                  notes["more_inputs"].format(more=len(inputs) - MOST) if len(inputs) > MOST else "", "words sortable")
+    report.section("inputs", "Inputs and their sources", paragraphs([notes["assumptions"]]),
+                   fold("inputs and their sources", drawn) if len(inputs) > MOST_OPEN else drawn)
+
+
+def add_model(report):
+    """What the model assumes, in which direction that errs, and what it was found to do."""
+    notes = report.notes
+    model = [one for one in report.fit["assumptions"]["model"] if one["bears"] != "none"]
     model.sort(key=lambda one: ("unsafe", "unknown", "safe").index(one["direction"]))
     keys = ["name", "assumed", "direction", "key", "effect", "evidence", "bears"]
     report.csv("assumptions", keys, ([one[key] for key in keys] for one in model))
-    drawn = table(["input", "value (range)", "basis", "source, and where it is said"], map(input_row, inputs[:MOST]),
-                  notes["more_inputs"].format(more=len(inputs) - MOST) if len(inputs) > MOST else "")
-    report.section("assumptions", "Assumptions", paragraphs([notes["assumptions"]]),
-                   fold("inputs, by their own word", drawn) if len(inputs) > MOST_OPEN else drawn,
-                   "<h3>What the model assumes</h3>",
-                   table(["assumption", "what is", "misjudged", "effect without it", "without it"],
-                         (model_row(one, notes) for one in model), notes["model_assumptions"]))
+    report.section("assumptions", "Assumptions of the model",
+                   table("assumptions of the model", ["assumption", "statement", "error if it fails", "effect that was found", "key that replaces it"],
+                         (model_row(one, notes) for one in model), notes["model_assumptions"], "words sortable"))

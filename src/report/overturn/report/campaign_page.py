@@ -1,19 +1,21 @@
-"""The report of a campaign: one page that needs no network, and the same figures and tables as files.
+"""The report of a campaign as a calculation package: one page that needs no network, and the same figures and tables as
+files.
 
 Every sentence on it is in its data (src/output/page_text.hpp); here are headings and labels.
 
-Data: file, figures, fit, facts, headlines, notes, waves, wave_notes, cost. Without a folder of their own the figures pass through
+Data: file, figures, cover, fit, facts, method, checks, headlines, notes, waves, wave_notes, cost. Without a folder of their own the figures pass through
 the page's."""
 
 import csv
 import os
 
-from . import (assumption_sections, body_figure, fragility_figures, frequency_sections, history_figure, limit_sections,
-               outcome_sections, rare_figures, spectra_figure, style, trial_figures, wave_figure)
+from . import (assumption_sections, body_figure, check_sections, cover_sections, fragility_figures, frequency_sections, history_figure,
+               limit_sections, outcome_sections, rare_sections, spectra_figure, style, trial_figures, wave_figure)
 from .fragility_figures import MEASURES
 from .limit_sections import OVERTURNING
-from .page_parts import (csv_cell, escape, figure_of, fold, high_of, in_pages, interval, low_of, paragraphs, rows_by, shares, table,
-                         value_of)
+from .page_parts import (csv_cell, escape, facts, figure_of, fold, high_of, in_pages, low_of, numbered, paragraphs, rows_by,
+                         shares, table, value_of)
+from .page_script import script
 from .page_style import CSS
 from .campaign_results import CampaignResults
 from .style import outward, plain
@@ -48,7 +50,7 @@ class Report:
         self.fits = self.fits_of(OVERTURNING)
         self.folder = path_of(data["figures"]) or scratch
         self.keep = bool(data["figures"])
-        self.sections, self.contents = [], []
+        self.parts = []  # title, sections and links to them
 
     def fits_of(self, limit):
         """The fits of one limit state, by body and measure."""
@@ -80,8 +82,17 @@ class Report:
             self.csv(name, rows[0].keys(), [row.values() for row in rows])
 
     def section(self, anchor, title, *parts):
-        self.contents.append(f'<a href="#{anchor}">{escape(title)}</a>')
-        self.sections.append(f'<section id="{anchor}"><h2>{escape(title)}</h2>\n{"".join(parts)}</section>\n')
+        _, sections, links = self.parts[-1]
+        links.append(f'<a href="#{anchor}">{escape(title)}</a>')
+        sections.append(f'<section id="{anchor}"><h3>{escape(title)}</h3>\n{"".join(parts)}</section>\n')
+
+    def part(self, title, *sections):
+        """One of the parts of the page; left out where it holds nothing."""
+        self.parts.append((title, [], []))
+        for section in sections:
+            section()
+        if not self.parts[-1][1]:
+            self.parts.pop()
 
     def amplitude(self, value, digits=4, rounded=lambda shown, digits: shown):
         if value is None:
@@ -103,10 +114,19 @@ class Report:
     # What each section says.
 
     def asked(self):
-        facts = table(["", ""], self.data["facts"])
+        self.section("asked", "Waves, levels and limit states", facts("waves, levels and limit states", self.data["facts"]))
+
+    def campaign(self):
         text = escape(self.results.about["campaign"])  # the line feed behind the tag is none of the text's
         name = self.results.about["campaign_name"]
-        self.section("asked", "What was asked", facts, fold(f"the campaign file, {name}", f"<pre>\n{text}</pre>"))
+        self.section("campaign", f"Campaign file {name}", fold(f"campaign file {name}", f"<pre>\n{text}</pre>"))
+
+    def method(self):
+        self.section("method", "How it was computed", paragraphs(self.data["method_lines"]), facts("settings of the method", self.data["method"]))
+
+    def answers(self):
+        """In words, by body and limit state."""
+        self.section("answers", "Answers by body", paragraphs(self.data["headlines"]))
 
     def bodies(self):
         rows = []
@@ -121,13 +141,15 @@ class Report:
                              "bodies to one scale")
                  for part, shown in in_pages(self.results.bodies, body_figure.MOST_ON_A_PAGE)]
         self.section("bodies", "The bodies", *drawn,
-            table(head, rows, self.notes["bodies"]), paragraphs(self.data["placements"]))
+            table("the bodies", head, rows, self.notes["bodies"]), paragraphs(self.data["placements"]))
 
     def waves(self):
         parts = []
         for count, wave in enumerate(self.data["waves"]):
             name = f"wave-{count}"
-            parts.append(self.figure(name, lambda path, wave=wave: wave_figure.draw(wave, path), wave["title"]))
+            parts.append(self.figure(name, lambda path, wave=wave: wave_figure.draw_histories(wave, path), wave["title"]))
+            parts.append(self.figure(f"{name}-spectra", lambda path, wave=wave: wave_figure.draw_spectra(wave, path),
+                                     f"{wave['title']}: spectra"))
         spectra = self.data["spectra"]
         if spectra:
             parts.append(self.figure("spectra", lambda path: spectra_figure.draw(spectra, path), "spectra of many waves"))
@@ -144,28 +166,28 @@ class Report:
             rows.append([c["body"], c["title"], c["radius_unit"], c["false_safe"],
                          c["false_alarm"], c["true_safe"], c["true_overturn"], *shares(c, "false_safe_share"), *shares(c, "false_alarm_share")])
         head = ["body", "measure", "unit of R", "false safe", "false alarm", "true safe", "true overturn",
-                "safe, yet fell", "interval", "unsafe, yet stood", "interval"]
+                "false-safe rate", "interval", "false-alarm rate", "interval"]
         self.rows("criterion", self.fit["criterion"])
         for body in self.results.bodies:
-            parts.append(f"<h3>{escape(body.name)}</h3>" + self.figure(
+            parts.append(f"<h4>{escape(body.name)}</h4>" + self.figure(
                 f"criterion-{body.name}", lambda path, body=body: fragility_figures.criterion(self.results, body, path),
                 f"energy criterion and verdicts of {body.name}"))
             answers = [r for r in self.fit["response"] if r["body"] == body.name]
             if answers:
-                parts.append(table(["V_WES / V_Ereq", "without slip", "trials", "with slip", "trials", "overturned"],
+                parts.append(table(f"{body.name}: response against window energy", ["V_WES / V_Ereq", "without slip", "trials", "with slip", "trials", "overturned"],
                                    [self.answer(r) for r in answers], self.notes["response"]))
             said = next((v for v in self.fit.get("verdict", []) if v["body"] == body.name), None)
             if said:
-                for kind, title in (("supports", "Speaks for the criterion"), ("against", "Speaks against it"),
-                                    ("open", "Left open")):
+                for kind, title in (("supports", "Supports the criterion"), ("against", "Contradicts the criterion"),
+                                    ("open", "Not decided")):
                     if said[kind]:
                         items = "".join(f"<li>{escape(line)}</li>" for line in said[kind])
                         parts.append(f"<p class=label>{title}</p><ul>{items}</ul>")
         compared = "" if self.fit["grid"] else self.figure(
             "measures", lambda path: fragility_figures.measures(self.results, self.fits, path), "intensity measures compared")
-        self.section("criterion", "The energy criterion on trial", table(
-            head, rows, self.notes["criterion"]),
-            *parts, *(("<h3>Which measure predicts best</h3>", compared, limit_sections.of_the_levels(self)) if compared else ()))
+        self.section("criterion", "The energy criterion", table(
+            "verdicts of the energy criterion", head, rows, self.notes["criterion"]),
+            *parts, *(("<h4>Which measure predicts best</h4>", compared, limit_sections.of_the_levels(self)) if compared else ()))
 
     @staticmethod
     def answer(bin_):
@@ -177,47 +199,6 @@ class Report:
             row += ["{:.3f} ({:.3f} to {:.3f})".format(*quantiles) if count and None not in quantiles else "–", count]
         return [*row, bin_["overturned"]]
 
-    def rare(self):
-        """Only where the campaign asked for it."""
-        if not self.data["rare"]:
-            return
-        parts = []
-        for body in self.results.bodies:
-            parts += [self.tail(body.name, limit["name"]) for limit in self.fit["limit_states"]]
-            waves = self.data["rare"].get(body.name, {})
-            if waves.get("pulses"):
-                parts.append(self.figure(f"pulses-{body.name}", lambda path, body=body, waves=waves: rare_figures.pulses(
-                    body.name, waves["pulses"], path), f"pulses that overturn {body.name}"))
-            if waves.get("failing"):
-                parts.append(self.figure(
-                    f"failing-{body.name}", lambda path, body=body, waves=waves: rare_figures.failing(
-                        body.name, waves["failing"], body.numbers["alpha_rad"], path), f"a wave that overturns {body.name}"))
-        rare = self.fit["rare"]
-        rows = [[e["body"], self.said[e["limit"]], value_of(e["amplitude"]), value_of(e["probability"], 3) if e["probability"] is not None
-                 else f"below {high_of(e['upper'], 3)}",
-                 interval([e["lower"], e["upper"]], 3) if e["probability"] is not None else "–", value_of(e["cov"], 2), e["method"],
-                 e["runs"], value_of(e["crude_runs"], 2), e["state"], e["reason"] or ""] for e in rare]
-        head = ["body", "limit", "factor", "P", "95 % interval", "c.o.v.", "method", "waves", "crude would need", "state", "why"]
-        health = [[c["body"], self.said[c["limit"]], value_of(self.rare_level(c)["amplitude"]), c["check"], value_of(c["value"], 3), value_of(c["limit_value"], 3),
-                   "passed" if c["passed"] else "failed"] for c in self.fit["rare_health"]]
-        self.rows("rare", rare)
-        self.section("rare", "Rare events", *parts, table(head, rows, self.notes["rare"]),
-                     fold("health of the estimators", table(["body", "limit", "factor", "check", "found", "limit", ""], health))
-                     if health else "")
-
-    def rare_level(self, row):
-        """The estimate that a row of its health or replicates is of."""
-        return [e for e in self.fit["rare"] if (e["body"], e["limit"]) == (row["body"], row["limit"])][row["level"]]
-
-    def tail(self, body, limit):
-        rare = [{**e, "replicates": [row["estimate"] for row in self.fit["rare_replicates"] if self.rare_level(row) is e]}
-                for e in self.fit["rare"] if e["body"] == body and e["limit"] == limit]
-        stripes = [s for s in self.stripes[limit] if s["body"] == body]
-        fit = self.fits_of(limit).get((body, self.results.measure))
-        name = f"tail-{body}" if limit == OVERTURNING else f"tail-{limit}-{body}"
-        return self.figure(name, lambda path: rare_figures.tail(body, limit, stripes, rare, fit, path),
-                           f"{body}: rare events of {limit}")
-
     def telling(self):
         """The trials to inspect, as a table and a file."""
         trials = self.fit["telling_trials"]
@@ -228,7 +209,7 @@ class Report:
                  value_of(t["peak_rotation_ratio"]), value_of(t["peak_slip_m"], 3), self.amplitude(t["overturned_at"])]
                 for t in trials]
         head = ["body", "kind", "trial", "wave", "level", "verdict", "peak rotation / α", "slip [m]", "overturned at"]
-        return "<h3>Trials to inspect</h3>" + table(head, rows, self.notes["telling_trials"])
+        return "<h4>Trials to inspect</h4>" + table("trials to inspect", head, rows, self.notes["telling_trials"], "sortable")
 
     def trials(self):
         parts = []
@@ -255,22 +236,23 @@ class Report:
         keys = ("campaign_name", "seed", "program_version", "git_revision", "library_versions", "input_sha256",
                 "wave_source", "wave_acceptance", "settings")
         rows = [[key.replace("_", " "), self.results.about[key]] for key in keys if self.results.about.get(key, "") != ""]
-        self.section("provenance", "Provenance", table(["", ""], rows))
+        self.section("provenance", "Provenance", facts("provenance", rows))
 
     def page(self):
-        for part in (self.asked, self.bodies, self.waves, lambda: limit_sections.add(self),
-                     lambda: frequency_sections.add(self), self.rare, self.criterion, lambda: outcome_sections.add(self), self.trials,
-                     lambda: assumption_sections.add(self), self.provenance):
-            part()
+        self.part("Inputs", self.asked, lambda: assumption_sections.add_inputs(self), self.bodies, self.waves)
+        self.part("Method and its limits", self.method, lambda: assumption_sections.add_model(self))
+        self.part("Results", self.answers, lambda: limit_sections.add(self), lambda: frequency_sections.add(self), lambda: rare_sections.add(self),
+                  self.criterion, lambda: outcome_sections.add(self), lambda: check_sections.add_sensitivity(self))
+        self.part("Checks made", lambda: check_sections.add(self))
+        self.part("Appendices", self.trials, self.campaign, self.provenance)
         title = escape(self.results.title)
-        answers = limit_sections.answer_table(self.data["answer"]) + paragraphs(self.data["headlines"])
-        if self.data["changed"]:
-            answers = paragraphs([self.data["changed"]], " class=warning") + answers
-        contents = " · ".join(self.contents)
-        return (f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
-                f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{title}</title>\n'
-                f"<style>{CSS}</style></head><body>\n<h1>{title}</h1>\n<div class=answer>{answers}</div>\n"
-                f"<nav>{contents}</nav>\n{''.join(self.sections)}</body></html>\n")
+        contents = "".join(f"<li><span>{escape(name)}</span> {' · '.join(links)}</li>" for name, _, links in self.parts)
+        parts = "".join(f"<h2>{escape(name)}</h2>\n{''.join(sections)}" for name, sections, _ in self.parts)
+        return numbered(
+            f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8">\n'
+            f'<meta name="viewport" content="width=device-width, initial-scale=1">\n<title>{title}</title>\n'
+            f"<style>{CSS}</style></head><body>\n<header>{cover_sections.cover(self)}</header>\n"
+            f'<nav aria-label="Contents"><ol>{contents}</ol></nav>\n<main>{parts}</main>{script()}</body></html>\n')
 
 
 def draw(data, path):

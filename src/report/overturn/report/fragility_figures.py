@@ -174,7 +174,7 @@ def responses(results, rows, limits, path):
     axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
     axes.set_ylim(0, 1.25 if quantity == "peak_rotation_ratio" and np.nanmax(numbers(rows, "p95")) > 1.25
                   else None)
-    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    style.legend_inside(axes)
     style.save(figure, path)
 
 
@@ -219,10 +219,10 @@ def criterion(results, body, path):
     left.axvline(unit, color=GREY, lw=0.8, ls="--", label="criterion: V_WES = V_Ereq")
     of = f"[{style.speed_unit()}]" if absolute else "/ V_Ereq"
     left.set(xlim=(0, 1.03 * top * unit), ylim=(-0.02 * unit, 1.08 * unit), xlabel=f"V_WES {of}", ylabel=f"V_resp {of}",
-             title="response against energy offered")
+             title="response against window energy")
     said(axes["window"], "V_WES", ratio, moved & ~fell, fell, top)
     said(axes["whole"], "ouV_E", whole, moved & ~fell, fell, whole_top)
-    axes["window"].set_title("what the energy measures said")
+    axes["window"].set_title("trials by energy measure")
     shown = [axes[panel].get_legend_handles_labels() for panel in ("response", "window")]
     style.legend_below(figure, shown[0][0] + shown[1][0], [*shown[0][1], *(f"trials that {w}" for w in shown[1][1])])
     style.save(figure, path)

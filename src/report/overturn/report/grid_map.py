@@ -160,4 +160,4 @@ def section(report):
         *(report.figure("steady" + part, lambda path, shown=shown: steady(report.results, shown, lines, path),
                         "rotation over frequency beside Eq. 1")
           for part, shown in in_pages(report.results.bodies, MOST_ON_A_PAGE)),
-        table(head, rows, report.notes["grid_standing"]))
+        table("outcomes by frequency", head, rows, report.notes["grid_standing"], "sortable"))

@@ -23,7 +23,8 @@ def answer_table(sheet):
         return ""
     width = len(sheet["head"])
     rows = [row + [""] * (width - len(row)) for row in sheet["rows"]]
-    return (paragraphs([sheet["title"] + "."]) + table(sheet["head"], rows)
+    head = [sheet["head"][0], "answer", *sheet["head"][2:]]
+    return (table(f"answer. {sheet['title']}", head, rows)
             + paragraphs(filter(None, [sheet["left_out"], sheet["depends"]])))
 
 
@@ -68,7 +69,7 @@ def together(report, limit):
     head = ["level", "waves", f"any {passed(limit)}", "undecided", "P(any)", "lower", "upper", "if independent",
             *(f"φ {' / '.join(pair)}" for pair, _ in shown)]
     rows.append(["all levels"] + [""] * 7 + [value_of(levels[0]["phi_pooled"], 2) for _, levels in shown])
-    return [fold("any body; φ: correlation of two", table(head, rows))]
+    return [fold(f"any body {passed(limit)}", table(f"any body {passed(limit)}; φ: correlation of two", head, rows))]
 
 
 def of_the_levels(report):
@@ -102,27 +103,28 @@ def curves(report, limit):
     many = bodies > fragility_figures.MOST_COMPARED
     ranked = [[f["body"], f["label"], value_of(f["median"], 4), f["units"], value_of(f["beta"], 3), interval(ends(f, "beta"), 3),
                value_of(f["rank_area"], 3), interval(ends(f, "rank_area"), 3), ", ".join(f["flags"]) or "none"] for f in fits.values()]
+    counts = table(f"counts at every level: {what}", head, rows, kind="sortable")
     over_all = [] if report.fit["grid"] else [
         "" if limit == OVERTURNING else report.figure(  # the criterion's section has that of overturning
             f"measures-{limit}", lambda path: fragility_figures.measures(report.results, fits, path),
             f"intensity measures compared by {what}"),
         of_the_levels(report),
         fold("every measure, with its rank (AUC)",
-             table(["body", "over", "median", "", "beta", "interval", "rank", "interval", "flags"], ranked))]
+             table("every measure, with its rank (AUC)", ["body", "over", "median", "unit", "beta", "interval", "rank", "interval", "flags"], ranked, kind="sortable"))]
     return [paragraphs([report.notes["many_bodies"].format(bodies=bodies, most=fragility_figures.MOST_COMPARED)]) if many else "",
             report.figure(f"{name}-compared", lambda path: fragility_figures.compared(report.results, fits, stripes, what, path),
                           f"probability of {what} of all bodies"),
             *(report.figure(name + part, lambda path, shown=shown: fragility_figures.fragility(
                 report.results, shown, fits, stripes, what, path), f"probability of {what} against amplitude")
               for part, shown in in_pages(report.results.bodies, fragility_figures.MOST_ON_A_PAGE)),
-            table(["body", "median", "interval", "beta", "interval", "5 % point", "interval", "HCLPF", "interval",
+            table(f"fragility of {what}", ["body", "median", "interval", "beta", "interval", "5 % point", "interval", "HCLPF", "interval",
                    "1 % point", "flags"], fitted, report.notes["variability"]),
-            table(["body", "beta", "beta_R (waves)", "beta_U (body)", "ln median per deviation of"], split)
+            table("variability of waves and bodies", ["body", "beta", "beta_R (waves)", "beta_U (body)", "ln median per deviation of"], split)
             if split else "",
-            table(["body", "at", "amplitude", "P", "lower", "upper", ""], quoted) if quoted else "",
+            table(f"P of {what} at stated levels", ["body", "at", "amplitude", "P", "lower", "upper", "remark"], quoted) if quoted else "",
             *together(report, limit), *over_all,
             paragraphs((f"{f['body']}: {line}" for f in mine for line in f["warnings"]), " class=warning"),
-            fold("all stripes", table(head, rows)) if len(rows) > MOST_OPEN_ROWS else table(head, rows)]
+            fold("counts at every level", counts) if len(rows) > MOST_OPEN_ROWS else counts]
 
 
 def fragility(report):
@@ -137,7 +139,7 @@ def limits(report):
         return
     parts = []
     for limit in stated:
-        parts += [f"<h3>{escape(limit['said'])}: {escape(limit['definition'])}</h3>", *curves(report, limit["name"])]
+        parts += [f"<h4>{escape(limit['said'])}: {escape(limit['definition'])}</h4>", *curves(report, limit["name"])]
     names = [limit["name"] for limit in stated]
     report.rows("limits", [s for name in names for s in report.stripes[name]])
     report.rows("limit-fragility", fits_told(report, names))
@@ -162,8 +164,9 @@ def responses(report):
             drawn = report.figure(f"{quantity.replace('_', '-')}-{body.name}",
                                   lambda path, mine=mine, of_it=limits_of_it: fragility_figures.responses(
                                       report.results, mine, of_it, path), f"{name} of {body.name} per level")
-            parts += [f"<h3>{escape(body.name)}: {name}{f' [{unit}]' if unit else ''}</h3>", drawn,
-                      table(["level", *(title for _, title in QUANTILES), "trials"],
+            what = f"{body.name}: {name}{f' [{unit}]' if unit else ''}"
+            parts += [f"<h4>{escape(what)}</h4>", drawn,
+                      table(what, ["level", *(title for _, title in QUANTILES), "trials"],
                             [[report.amplitude(q["amplitude"]), *(spread(q, key) for key, _ in QUANTILES), q["trials"]]
                              for q in mine])]
     if parts:

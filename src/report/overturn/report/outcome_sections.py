@@ -111,17 +111,17 @@ def shown_test(row):
 
 
 def part_of(report, specimen, unit):
-    notes, parts = report.notes["outcomes"], [f"<h3>{escape(specimen.name)}</h3>\n"]
+    notes, parts = report.notes["outcomes"], [f"<h4>{escape(specimen.name)}</h4>\n"]
     if specimen.said is None:
         return [*parts, paragraphs([notes["no_verdict" if specimen.tested else "not_tested"]])]
     said = specimen.said
     parts.append(paragraphs(summary(specimen, notes)))
     head = ["predicted by", "false safe", "false alarm", "safe, stood", "unsafe, fell", "agreement", "false safe of safe", "exact interval",
             "false safe / tests"]
-    parts.append(table(head, [of_predictor(name, counted, said["tests"]) for name, counted in predictors(specimen, unit, notes)],
+    parts.append(table(f"{specimen.name}: predicted and real falls", head, [of_predictor(name, counted, said["tests"]) for name, counted in predictors(specimen, unit, notes)],
                        notes["counts"]))
     if said["areas"]:
-        parts.append(table(["orders tests by", "area under the curve", "95 %, motions resampled"],
+        parts.append(table(f"{specimen.name}: order of the tests", ["orders tests by", "area under the curve", "95 %, motions resampled"],
                            [[name_of(measure, unit), value_of(value, 3), interval([low, high], 3)]
                             for measure, (value, low, high) in said["areas"].items()],
                            " ".join([notes["areas"], *([notes["areas_of_several"]] if len(specimen.bodies) > 1 else [])])))
@@ -136,7 +136,7 @@ def part_of(report, specimen, unit):
     head = ["wave", "record", "motion", "PGA [gal]", f"PGV [{style.speed_unit()}]", f"peak rotation / α{mean}", "predicted chance",
             *(f"{name_of(measure, unit)} / V_Ereq{mean}" for measure in measures)]
     parts.append(fold(notes["false_safe_tests"],
-                      table(head, map(shown_test, rows))) if rows
+                      table(notes["false_safe_tests"], head, map(shown_test, rows), kind="sortable")) if rows
                  else paragraphs([notes["no_false_safe"]]))
     return parts
 
@@ -154,7 +154,7 @@ def add(report):
     parts = [part for specimen in specimens for part in part_of(report, specimen, unit)]
     shown = told["histories"]
     if shown:
-        parts.append(f"<h3>{escape(report.notes['outcomes']['histories'])}</h3>\n{paragraphs([told['histories_of']], ' class=quiet')}")
+        parts.append(f"<h4>{escape(report.notes['outcomes']['histories'])}</h4>\n{paragraphs([told['histories_of']], ' class=quiet')}")
         parts += [report.figure(f"false-safe-{one['body']}-{one['trial']}", lambda path, one=one: history_figure.draw(one, path),
                                 f"history of {one['title']}") for one in shown]
     report.section("outcomes", "Held against real outcomes", *parts)

@@ -7,10 +7,12 @@ from .style import outward, plain
 
 
 MOST_SHORT = 26  # letters
+NUMBER_OF_TABLE, NUMBER_OF_FIGURE = "\ue000", "\ue001"  # where numbers go; no text of a campaign holds them
 
 
 def escape(value):
-    return html.escape(str(value))
+    """Text of a page: without the marks of its own."""
+    return html.escape(str(value)).replace(NUMBER_OF_TABLE, "").replace(NUMBER_OF_FIGURE, "")
 
 
 def value_of(value, digits=4, unknown="–"):
@@ -55,16 +57,32 @@ def cell_of(value):
     return f"<td{' class=short' if len(text) <= MOST_SHORT else ''}>{escape(text)}</td>"
 
 
-def table(head, rows, note=""):
-    cells = "".join(f"<th>{escape(name)}</th>" for name in head)
+def note_of(text):
+    return f"<p class=quiet>{escape(text)}</p>" if text else ""
+
+
+def scrolled(name, content):
+    """A box that scrolls where there is no room, with the keyboard too."""
+    return f'<div class=scroll role=group aria-label="{escape(name)}" tabindex=0>{content}</div>'
+
+
+def table(name, head, rows, note="", kind=""):
+    """Numbered by the page. kind: "words" of cells that are text, "sortable" of rows whose order may be changed."""
+    cells = "".join(f"<th scope=col>{escape(title)}</th>" for title in head)
     body = "".join("<tr>" + "".join(cell_of(cell) for cell in row) + "</tr>\n" for row in rows)
-    note = f"<p class=quiet>{escape(note)}</p>" if note else ""
-    return f"<div class=scroll><table><thead><tr>{cells}</tr></thead><tbody>\n{body}</tbody></table></div>{note}\n"
+    return (scrolled(name, f'<table class="{kind}"><caption>{NUMBER_OF_TABLE}{escape(name)}</caption><thead><tr>{cells}</tr></thead>'
+                           f"<tbody>\n{body}</tbody></table>") + note_of(note) + "\n")
+
+
+def facts(name, rows):
+    """What is called how: a table whose rows have headings and whose columns have none."""
+    body = "".join(f"<tr><th scope=row>{escape(what)}</th><td>{escape(value)}</td></tr>\n" for what, value in rows)
+    return scrolled(name, f'<table class="facts"><caption>{NUMBER_OF_TABLE}{escape(name)}</caption><tbody>\n{body}</tbody></table>') + "\n"
 
 
 def fold(title, content):
     """What is long: a box that scrolls on a screen, and is whole in print."""
-    return f'<p class=label>{escape(title)}</p><div class=fold tabindex=0>{content}</div>\n'
+    return f'<div class=fold role=group aria-label="{escape(title)}" tabindex=0>{content}</div>\n'
 
 
 def figure_of(svg, alt, scale):
@@ -73,7 +91,15 @@ def figure_of(svg, alt, scale):
     width = float(re.search(r'width="([0-9.]+)pt"', svg).group(1))
     svg = svg[svg.index("<svg"):].replace(
         "<svg", f'<svg role="img" aria-label="{escape(alt)}" style="width:{scale * width:.0f}pt;--least:{0.75 * width:.0f}pt"', 1)
-    return f"<figure>{svg}</figure>\n"
+    return f"<figure>{scrolled(alt, svg)}<figcaption>{NUMBER_OF_FIGURE}{escape(alt)}</figcaption></figure>\n"
+
+
+def numbered(page):
+    """The page with its tables and figures numbered as they come."""
+    for mark, word in ((NUMBER_OF_TABLE, "Table"), (NUMBER_OF_FIGURE, "Figure")):
+        first, *others = page.split(mark)
+        page = first + "".join(f"{word} {n}: {part}" for n, part in enumerate(others, 1))
+    return page
 
 
 def in_pages(bodies, most):

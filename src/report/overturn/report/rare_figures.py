@@ -52,7 +52,7 @@ def tail(name, limit, stripes, rare, fit, path):
     axes.set_yscale("log")
     axes.set(ylim=(bottom, 1.5), xlabel="factor on all waves", ylabel=f"probability of {style.literal(limit)}",
              title=f"{style.literal(name)}: the tail")
-    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    style.legend_inside(axes)
     style.save(figure, path)
 
 

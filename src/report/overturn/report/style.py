@@ -1,5 +1,7 @@
 """How every figure of overturn looks: one palette, one type size, the same bytes for the same data."""
 
+import html
+import json
 import textwrap
 
 from ..errors import require
@@ -63,6 +65,11 @@ def name(figure, text):
     figure.suptitle(literal(textwrap.shorten(text, 70)), x=0.012, ha="left", fontsize=9.5, fontweight="bold")
 
 
+def legend_inside(axes):
+    """A legend where it hides least."""
+    axes.legend(loc="best", frameon=True, framealpha=0.85, edgecolor="none")
+
+
 def legend_below(figure, handles, labels, columns=3):
     """A legend under everything, in room of its own, so that no panel shrinks for it."""
     room = 0.18 * -(-len(labels) // columns) + 0.08
@@ -76,8 +83,34 @@ def save(figure, path):
     """Without dates, names or versions: equal data give equal bytes."""
     nothing = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None},
                "pdf": {"CreationDate": None, "Creator": None, "Producer": None}}
-    figure.savefig(path, metadata=nothing[path.rsplit(".", 1)[1]])
+    kind = path.rsplit(".", 1)[1]
+    figure.savefig(path, metadata=nothing[kind])
+    if kind == "svg":
+        state_axes(figure, path)
     plt.close(figure)
+
+
+def state_axes(figure, path):
+    """Writes into a drawing where its axes lie and what they show, so that a page's script can read values off it."""
+    width, height = 72 * figure.get_size_inches()
+    stated = []
+    for axes in figure.axes:
+        at = axes.get_position()
+        if not axes.axison:
+            stated.append({"box": [0, 0, -1, -1]})
+            continue
+        stated.append({"box": [round(float(v), 2) for v in (at.x0 * width, (1 - at.y1) * height, at.x1 * width, (1 - at.y0) * height)],
+                       "x": [float(f"{v:.7g}") for v in axes.get_xlim()], "y": [float(f"{v:.7g}") for v in axes.get_ylim()],
+                       "xlog": axes.get_xscale() == "log", "ylog": axes.get_yscale() == "log",
+                       "names": [axes.get_xlabel().replace("\n", " "), axes.get_ylabel().replace("\n", " ")]})
+    for before, one in zip([{}, *stated], stated):  # panels that share an axis name it once: a row on the left, a column at its foot
+        for place, other in ((0, stated[-1]), (1, before)):
+            if "names" in one and "names" in other and not one["names"][place]:
+                one["names"][place] = other["names"][place]
+    with open(path, encoding="utf-8") as file:
+        svg = file.read()
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(svg.replace("<svg ", f"<svg data-axes='{html.escape(json.dumps(stated))}' ", 1))
 
 
 def literal(name):

@@ -70,7 +70,7 @@ def rotations(results, body, path, confidence=0.95):
     axes.axvline(1, color=GREY, lw=0.8, ls="--", label="critical angle")
     axes.set(xlim=(0, 1.15), ylim=(0, 1.02), xlabel="peak rotation / α", ylabel="share of trials",
              title=f"peak rotation{of_levels(body, drawn)}")
-    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    style.legend_inside(axes)
     style.name(figure, body.name)
     style.save(figure, path)
 
@@ -88,7 +88,7 @@ def slips(results, body, path):
              title=f"peak slip{of_levels(body, drawn)}")
     axes.set_xscale("log")
     axes.set_xlim(left=least)
-    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    style.legend_inside(axes)
     style.name(figure, body.name)
     style.save(figure, path)
     return True
@@ -185,7 +185,7 @@ def reasons(results, body, path):
     shares(axes, results, body, "what called for a dearer model",
            [(name, which, style.SERIES[n % len(style.SERIES)]) for n, (name, which) in enumerate(kinds)])
     axes.set_ylabel("share of trials")
-    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=2)
     style.name(figure, body.name)
     style.save(figure, path)
     return True

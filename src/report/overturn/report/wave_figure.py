@@ -112,20 +112,22 @@ def draw_energy(axes, data, bodies):
     axes.legend(loc="lower left", bbox_to_anchor=(-0.02, 0.995), ncol=2, columnspacing=1.0, handlelength=1.6)
 
 
-def draw(data, path):
-    style.use()
-    step = data["time_step_s"]
-    bodies = grouped(data["bodies"])
-    rows = ["acceleration"] + [component["name"] for component in data["further"]] + ["velocity", "displacement"]
-    rows += ["energy"] if bodies else []
-    heights = [{"acceleration": 1.5, "energy": 1.9}.get(row, 1.0) for row in rows] + [3.1]
-    figure = plt.figure(figsize=(8.27, 1.25 + 1.12 * sum(heights)), layout="constrained")
-    grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
+def rows_of(data, bodies):
+    return (["acceleration"] + [component["name"] for component in data["further"]] + ["velocity", "displacement"]
+            + (["energy"] if bodies else []))
+
+
+def heights_of(rows):
+    return [{"acceleration": 1.5, "energy": 1.9}.get(row, 1.0) for row in rows]
+
+
+def draw_rows(figure, grid, rows, data, bodies):
+    """The wave over time, and how much energy it offers."""
     axes = {}
     for place, row in enumerate(rows):
         axes[row] = figure.add_subplot(grid[place, :], sharex=axes.get("acceleration"))
         axes[row].tick_params(labelbottom=row == rows[-1])
-    time = step * np.arange(len(data["acceleration_mps2"]))
+    time = data["time_step_s"] * np.arange(len(data["acceleration_mps2"]))
     draw_history(axes["acceleration"], time, np.array(data["acceleration_mps2"]), "acceleration", "m/s²",
                  f"PGA {number(data['pga_mps2'])} m/s² = {number(100 * data['pga_mps2'], 4)} gal")
     axes["acceleration"].set_title(textwrap.fill(data["subtitle"], 125), fontsize=7.5, fontweight="normal", color=GREY)
@@ -142,8 +144,45 @@ def draw(data, path):
         axes["energy"].set_title("Window energy spectrum against the limit velocity", pad=3)
     axes["acceleration"].set_xlim(0, time[-1])
     axes[rows[-1]].set_xlabel("time, s")
+    figure.align_ylabels(list(axes.values()))
+
+
+def head(figure, data, what=""):
+    figure.suptitle(textwrap.shorten(data["title"] + what, 95), x=0.012, ha="left", fontsize=10.5, fontweight="bold")
+
+
+def draw(data, path):
+    """All of it on one sheet."""
+    style.use()
+    bodies = grouped(data["bodies"])
+    rows = rows_of(data, bodies)
+    heights = heights_of(rows) + [3.1]
+    figure = plt.figure(figsize=(8.27, 1.25 + 1.12 * sum(heights)), layout="constrained")
+    grid = figure.add_gridspec(len(heights), 2, height_ratios=heights)
+    draw_rows(figure, grid, rows, data, bodies)
     draw_response(figure.add_subplot(grid[-1, 0]), data)
     draw_energy(figure.add_subplot(grid[-1, 1]), data, bodies)
-    figure.align_ylabels(list(axes.values()))
-    figure.suptitle(textwrap.shorten(data["title"], 95), x=0.012, ha="left", fontsize=10.5, fontweight="bold")
+    head(figure, data)
+    style.save(figure, path)
+
+
+def draw_histories(data, path):
+    """For a page: half a sheet."""
+    style.use()
+    bodies = grouped(data["bodies"])
+    rows = rows_of(data, bodies)
+    heights = heights_of(rows)
+    figure = plt.figure(figsize=(8.27, 0.9 + 0.85 * sum(heights)), layout="constrained")
+    draw_rows(figure, figure.add_gridspec(len(heights), 1, height_ratios=heights), rows, data, bodies)
+    head(figure, data)
+    style.save(figure, path)
+
+
+def draw_spectra(data, path):
+    """For a page: its spectra alone."""
+    style.use()
+    figure, (response, energy) = plt.subplots(1, 2, figsize=(8.27, 3.9), layout="constrained")
+    draw_response(response, data)
+    draw_energy(energy, data, grouped(data["bodies"]))
+    head(figure, data, ": spectra")
     style.save(figure, path)

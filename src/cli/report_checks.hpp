@@ -1,0 +1,32 @@
+/// The checks that a report's page lists, by the records that verbs wrote of them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "campaign/campaign_spec.hpp"
+#include "cli/json_values.hpp"
+#include "output/package_text.hpp"
+#include "store/results_file.hpp"
+
+namespace overturn::cli {
+
+struct CheckRecord {
+    std::string name;  ///< of its file
+    output::RecordKind kind = output::RecordKind::verify;
+    Json content;
+};
+
+/// \throws InputError where a file cannot be read, is no record, or two are of one kind
+[[nodiscard]] std::vector<CheckRecord> read_check_records(std::span<std::string const> files);
+
+/// Adds `checks`, a row for each kind: its result, or that it was not run; and `sensitivity`, where it is recorded.
+/// \throws InputError where a record of verify is of another results file
+void add_checks(std::span<CheckRecord const> records, std::string const& path, store::ResultsReader const& file,
+                Json& data);
+
+/// Adds the table `hand_check` to what the page has of `overturn fit --json`; empty where no wave can be made.
+void add_hand_checks(CampaignSpec const& spec, Json& data);
+
+}  // namespace overturn::cli

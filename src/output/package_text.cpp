@@ -1,0 +1,242 @@
+#include "output/package_text.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "core/error.hpp"
+
+namespace overturn::output {
+namespace {
+
+std::string bodies_text(CampaignSpec const& spec) {
+    constexpr std::size_t most = 3;
+    auto const& bodies = spec.bodies;
+    if (bodies.size() > most) {
+        return fmt::format("each of {} bodies", bodies.size());
+    }
+    std::string text;
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+        text += (b == 0 ? "" : b + 1 == bodies.size() ? " or " : ", ") + bodies[b].name;
+    }
+    return text;
+}
+
+std::string levels_text(LevelSpec const& levels) {
+    auto const& all = levels.levels;
+    if (auto const basis = std::ranges::find(all, LevelClass::design_basis, &Level::purpose); basis != all.end()) {
+        return fmt::format("at the design basis ({} {}) and beyond", levels.measure_label(), levels.text(basis->value));
+    }
+    return fmt::format("at {} from {} to {}", levels.measure_label(), levels.text(all.front().value),
+                       levels.text(all.back().value));
+}
+
+std::string other_limits(CampaignSpec const& spec) {
+    return spec.limits.size() < 2 ? "" : ", or to pass another limit state,";
+}
+
+std::string text_at(Json const& record, char const* key) {
+    auto const found = record.find(key);
+    return found != record.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+std::int64_t count_at(Json const& record, char const* key) { return record.at(key).get<std::int64_t>(); }
+
+// "overturn 1.0.0 (...), x86-64, 2026-11-27"
+std::string circumstances(Json const& record, std::string const& maker) {
+    auto text = "overturn " + text_at(record, "program");
+    if (text != maker) {
+        text += " (not the program of the results)";
+    }
+    for (auto const* key : {"machine", "date"}) {
+        if (auto const value = text_at(record, key); !value.empty()) {
+            text += ", " + value;
+        }
+    }
+    return text;
+}
+
+CheckRow verification(Json const& record, std::string const& maker) {
+    bool const passed = record.at("passed").get<bool>();
+    auto const rare = count_at(record, "rare");
+    auto result =
+        fmt::format("{} trials and {} waves recomputed", count_at(record, "trials"), count_at(record, "waves"));
+    result += rare > 0 ? fmt::format(", {} rows of rare events", rare) : "";
+    result += record.at("sample").is_null() ? "" : ", drawn at random";
+    result += passed ? ": all bit-equal"
+                     : fmt::format(": {} trials and {} waves DIFFER, first {}", count_at(record, "differing_trials"),
+                                   count_at(record, "differing_waves"), text_at(record, "first"));
+    return {"stored rows against a second computation", result, circumstances(record, maker), !passed};
+}
+
+CheckRow qualification(char const* check, Json const& record, std::string const& maker) {
+    std::vector<std::string> failed;
+    std::vector<std::string> apart;  // from what others printed, for a stated reason
+    for (auto const& each : record.at("checks")) {
+        if (!each.at("passed").get<bool>()) {
+            failed.push_back(text_at(each, "number"));
+        } else if (!text_at(each, "differs_because").empty()) {
+            apart.push_back(text_at(each, "number"));
+        }
+    }
+    auto const all = record.at("checks").size();
+    auto const text = !failed.empty()
+                          ? fmt::format("{} of {} checks FAIL: {}", failed.size(), all, fmt::join(failed, ", "))
+                      : apart.empty() ? fmt::format("all {} checks pass", all)
+                                      : fmt::format("{} of {} checks pass; known to differ, each for its reason: {}",
+                                                    all - apart.size(), all, fmt::join(apart, ", "));
+    return {check, text, circumstances(record, maker), !failed.empty()};
+}
+
+std::string sample_text(Json const& study) {
+    return fmt::format("{}: {} of {} waves", text_at(study, "title"), count_at(study, "waves"),
+                       count_at(study, "campaign_waves"));
+}
+
+CheckRow convergence(Json const& record) {
+    auto const& study = record.at("study").at(0);
+    return {"error of the settings against their cost",
+            fmt::format("half the step changes {} of {} verdicts. {}", count_at(study, "step_flips"),
+                        count_at(study, "step_trials"), text_at(study, "sentence")),
+            sample_text(study), false};
+}
+
+CheckRow sensitivity(Json const& record) {
+    std::string largest;
+    double change = 0;
+    for (auto const& row : record.at("rows")) {
+        auto const& ratio = row.at("median_ratio");
+        if (ratio.is_number() && row.at("resolved").get<bool>()
+            && std::abs(ratio.get<double>() - 1) > std::abs(change)) {
+            change = ratio.get<double>() - 1;
+            largest =
+                fmt::format("{} = {} moves the median of {} by {:+.1f} %", row.at("keys").at(0).get<std::string>(),
+                            text_at(row, "moved_to"), text_at(row, "body"), 100 * change);
+        }
+    }
+    return {"effect of each assumed value", largest.empty() ? "no resolved change of a median" : "largest: " + largest,
+            sample_text(record.at("study").at(0)), false};
+}
+
+}  // namespace
+
+std::string question_text(CampaignSpec const& spec) {
+    if (!spec.cover.question.empty()) {
+        return spec.cover.question;
+    }
+    return spec.is_grid() ? fmt::format("At which amplitudes and frequencies does {} overturn?", bodies_text(spec))
+                          : fmt::format("How likely is {} to overturn{} {}?", bodies_text(spec), other_limits(spec),
+                                        levels_text(spec.levels));
+}
+
+std::vector<std::string> method_lines(CampaignSpec const& spec) {
+    std::vector<std::string> lines{
+        "Each trial follows one rigid body through one wave at one level, by time steps: uplift, impacts, overturning. "
+        "Slip, a compliant pad and motion in space are simulated where the scene requires them."};
+    if (!spec.is_grid()) {
+        lines.emplace_back(
+            "P at a level is the share of trials that overturn. Its interval is exact for independent waves (Clopper "
+            "and Pearson 1934).");
+        lines.emplace_back(
+            "A fragility curve is lognormal, fitted to all levels by maximum likelihood. Its intervals resample whole "
+            "waves.");
+    }
+    lines.emplace_back(
+        "Not computed: the motion of soil and structure under the pad, bodies that deform, and contact between "
+        "bodies.");
+    return lines;
+}
+
+std::vector<std::string> hand_check_lines(CampaignSpec const& spec, std::span<HandCheck const> checks) {
+    std::vector<std::string> lines;
+    if (checks.empty()) {
+        return lines;
+    }
+    lines.push_back(fmt::format(
+        "energy balance under the 84 % spectrum of the first {} waves, of two horizontal components their vector",
+        checks.front().waves));
+    if (!checks.front().left_out.empty()) {
+        lines.push_back(fmt::format(
+            "overturning leaves the waves' {} component out, which is unsafe; sliding counts it: mu (1 - 0.4 A_v/g)",
+            checks.front().left_out));
+    }
+    for (auto const& check : checks) {
+        auto const level =
+            fmt::format("{:.4g} {}", spec.levels.shown(check.overturning_level), spec.levels.shown_units());
+        auto text = fmt::format(
+            "{}: overturns above {} {} (the spectrum at {:.3g} Hz, {:.3g} % damping; tilt {:.2f} alpha)", check.body,
+            spec.levels.measure_label(), level, check.rocking.frequency_hz, 100 * check.rocking.damping,
+            check.rocking.rotation_rad / spec.bodies[&check - checks.data()].body.alpha_rad());
+        if (check.sliding_m) {
+            text += std::isinf(*check.sliding_m)
+                        ? std::string("; vertical motion takes all of its friction at the design basis")
+                    : *check.sliding_m > 0 ? fmt::format("; slides {:.2g} m at the design basis", *check.sliding_m)
+                                           : std::string("; does not slide at the design basis");
+        }
+        lines.push_back(text);
+    }
+    return lines;
+}
+
+std::vector<std::pair<std::string, std::string>> signatures(CoverText const& cover) {
+    return {{"prepared", cover.prepared}, {"checked", cover.checked}, {"approved", cover.approved}};
+}
+
+RecordKind kind_of_record(Json const& record, std::string const& name) {
+    auto const has = [&](char const* key) { return record.is_object() && record.contains(key); };
+    if (has("differing_trials")) {
+        return RecordKind::verify;
+    }
+    if (has("checks") && has("published")) {
+        return record.at("published").get<bool>() ? RecordKind::published : RecordKind::qualify;
+    }
+    if (has("knobs") && has("study")) {
+        return RecordKind::cost;
+    }
+    if (has("unmoved") && has("study")) {
+        return RecordKind::sensitivity;
+    }
+    throw InputError(
+        fmt::format("{}: no record of a check (of verify, qualify or cost). Write one: overturn verify FILE.h5 --json "
+                    "> RECORD.json",
+                    name));
+}
+
+CheckRow check_row(RecordKind kind, Json const& record, std::string const& maker) {
+    switch (kind) {
+        case RecordKind::verify:
+            return verification(record, maker);
+        case RecordKind::qualify:
+            return qualification("installation against known answers", record, maker);
+        case RecordKind::published:
+            return qualification("program against published results", record, maker);
+        case RecordKind::cost:
+            return convergence(record);
+        case RecordKind::sensitivity:
+            break;
+    }
+    return sensitivity(record);
+}
+
+CheckRow missing_check(RecordKind kind, std::string const& file) {
+    auto const row = [&](char const* check, std::string const& command) {
+        return CheckRow{check, "not run", "overturn " + command + " --json", false};
+    };
+    switch (kind) {
+        case RecordKind::verify:
+            return row("stored rows against a second computation", "verify " + file);
+        case RecordKind::qualify:
+            return row("installation against known answers", "qualify");
+        case RecordKind::published:
+            return row("program against published results", "qualify --published");
+        case RecordKind::cost:
+            return row("error of the settings against their cost", "cost CAMPAIGN");
+        case RecordKind::sensitivity:
+            break;
+    }
+    return row("effect of each assumed value", "cost CAMPAIGN --sensitivity");
+}
+
+}  // namespace overturn::output
