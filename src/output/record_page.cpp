@@ -14,7 +14,7 @@ std::string html_of(RecordPage const& page) {
     }
     std::string head;
     for (auto const& cell : page.head) {
-        head += fmt::format("<th>{}</th>", escaped_html(cell));
+        head += fmt::format("<th scope=\"col\">{}</th>", escaped_html(cell));
     }
     std::string rows;
     for (auto const& row : page.rows) {
@@ -28,20 +28,23 @@ std::string html_of(RecordPage const& page) {
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
 <title>overturn: {}</title>
 <style>
-body {{ font: 15px/1.5 sans-serif; color: #222; background: #fff; max-width: 70rem; margin: 2rem auto; padding: 0 1rem;
+:root {{ color-scheme: light dark; --ink: #222; --paper: #fff; --quiet: #595959; --pass: #17633a; --fail: #a02020; }}
+@media screen and (prefers-color-scheme: dark) {{
+  :root {{ --ink: #e4e4e4; --paper: #121212; --quiet: #b0b0b0; --pass: #7fd3a5; --fail: #ff9b93; }} }}
+body {{ font: 15px/1.5 sans-serif; color: var(--ink); background: var(--paper); max-width: 70rem; margin: 2rem auto; padding: 0 1rem;
        overflow-wrap: anywhere; }}
 div {{ overflow-x: auto; }} table {{ border-collapse: collapse; }}
-th, td {{ text-align: left; vertical-align: top; padding: .25rem .75rem .25rem 0; border-bottom: 1px solid #ddd; }}
-.pass td:first-child {{ color: #17633a; }} .fail td {{ color: #a02020; font-weight: bold; }}
-dt {{ color: #595959; }} dd {{ margin: 0 0 .4rem; }}
+th, td {{ text-align: left; vertical-align: top; padding: .25rem .75rem .25rem 0; border-bottom: 1px solid #8886; }}
+.pass td:first-child {{ color: var(--pass); }} .fail td {{ color: var(--fail); font-weight: bold; }}
+dt {{ color: var(--quiet); }} dd {{ margin: 0 0 .4rem; }}
 @media print {{ body {{ font-size: 10pt; margin: 0; }} tr {{ break-inside: avoid; }} }}
-</style></head><body>
+</style></head><body><main>
 <h1>{}</h1>
 <dl>
 {}</dl>
-<div><table><thead><tr>{}</tr></thead><tbody>
+<div role="group" aria-label="results" tabindex="0"><table aria-label="results"><thead><tr>{}</tr></thead><tbody>
 {}</tbody></table></div>
-</body></html>
+</main></body></html>
 )",
                        escaped_html(page.title), escaped_html(page.title), facts, head, rows);
 }

@@ -97,7 +97,7 @@ std::string verified_page(Json const& json) {
                               {"rows", json.at("sample").is_null() ? "all"
                                                                    : fmt::format("{} drawn at random, seed {}",
                                                                                  number("sample"), number("seed"))}},
-                    .head = {"", "rows of", "recomputed", "differ"},
+                    .head = {"result", "rows of", "recomputed", "differ"},
                     .rows = {}};
     if (!text("date").empty()) {
         page.facts.insert(page.facts.begin(), {"date", text("date")});

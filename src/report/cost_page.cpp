@@ -22,7 +22,8 @@ std::string time_at(Json const& row, char const* key) {
 }
 
 std::string figure_of(char const* kind, Json const& data) {
-    return study_figure("cost_figure.py", {{"kind", kind}, {"data", data}});
+    return study_figure("cost_figure.py", {{"kind", kind}, {"data", data}},
+                        data.is_object() && data.contains("knob") ? text_at(data, "title") : kind);
 }
 
 std::string row_of(Json const& row) {
@@ -49,7 +50,8 @@ std::string section_of(Json const& knob, Json const& all_settings) {
     return fmt::format("<section id=\"{}\"><header><h2>{}</h2><p>{}</p></header>\n", text_at(knob, "knob"),
                        text_at(knob, "title"), text_at(knob, "advice"))
            + figure_of("knob", data)
-           + last_table({"setting", "CPU a " + timed, "median", "95 %", "worst", "flips", "P error", "KS"}, rows,
+           + last_table("settings: " + text_at(knob, "title"),
+                        {"setting", "CPU a " + timed, "median", "95 %", "worst", "flips", "P error", "KS"}, rows,
                         fmt::format("Error: {}. {} {}s behind every row.", text_at(knob, "error"),
                                     count_at(knob, "samples"), timed));
 }
@@ -64,6 +66,7 @@ std::string step_section(Json const& study, Json const& quantities) {
     return "<section id=\"step-error\" style=\"grid-template-columns: minmax(0, 1fr)\"><header><h2>What the step does "
            "to each quantity</h2></header>\n"
            + last_table(
+               "effect of the step",
                {"quantity", "trials", "half the step, median", "95 %", "last bit, median", "95 %"}, rows,
                fmt::format(
                    "Relative differences in trials that end alike: at half the campaign's steps, and under "
@@ -83,7 +86,7 @@ std::string waves_section(Json const& study, Json const& parts) {
                       "here");
     return "<section id=\"waves\"><header><h2>Number of waves</h2></header>\n"
            + figure_of("waves", {{"study", study}, {"waves", parts}})
-           + last_table({"waves", "CPU", "width", "1/&radic;n"}, rows,
+           + last_table("number of waves", {"waves", "CPU", "width", "1/&radic;n"}, rows,
                         fmt::format("Width of the {:g} % Clopper-Pearson interval of P(overturn), mean of {} stripes; "
                                     "the campaign's own row is foretold from the sample.",
                                     100 * study.at("confidence").get<double>(), count_at(study, "stripes")));
@@ -103,7 +106,7 @@ std::string rare_section(Json const& points) {
                text_at(rare, "body"), number_at(rare, "amplitude", "{:g}"),
                rare.at("probability").is_null() ? "" : number_at(rare, "probability", ", P = {:.2e}"))
            + figure_of("rare", points)
-           + last_table({"method", "effort", "CPU", "waves", "c.o.v.", ""}, rows,
+           + last_table("rare events", {"method", "effort", "CPU", "waves", "c.o.v.", "remark"}, rows,
                         "Crude Monte Carlo is foretold by the binomial law from what one wave takes; the others were "
                         "run.");
 }
@@ -144,7 +147,7 @@ std::string cost_page(Json const& tables) {
     }
     page += sampled ? waves_section(study, tables.at("waves")) : "";
     page += tables.contains("rare") ? rare_section(tables.at("rare")) : "";
-    return page + "</body></html>\n";
+    return page + "</main></body></html>\n";
 }
 
 }  // namespace overturn::report

@@ -80,13 +80,15 @@ std::string section_of_body(SensitivityJson const& tables, SensitivityJson const
     auto section = fmt::format("<section id=\"sensitivity-{}\"><header><h2>{}, {}</h2></header>\n", number,
                                text_at(unmoved, "body"), text_at(unmoved, "limit"));
     if (std::ranges::any_of(rows, moves_median)) {
-        section += study_figure("sensitivity_figure.py", {{"rows", rows}, {"unmoved", unmoved}, {"study", study}});
+        section += study_figure("sensitivity_figure.py", {{"rows", rows}, {"unmoved", unmoved}, {"study", study}},
+                                "sensitivity of " + text_at(unmoved, "body"));
     }
     std::vector<std::string> headings{"input", "is", "moved to", "median", "verdicts"};
     if (has_design) {
         headings.emplace_back("P at the design basis");
     }
-    return section + last_table(headings, cells);
+    return section
+           + last_table(fmt::format("{}, {}", text_at(unmoved, "body"), text_at(unmoved, "limit")), headings, cells);
 }
 
 }  // namespace
@@ -107,7 +109,7 @@ std::string sensitivity_page(SensitivityJson const& tables) {
         page += fmt::format("<p class=\"quiet\">Not moved: {} = {} ({}).</p>\n", text_at(input, "key"),
                             text_at(input, "value"), text_at(input, "why"));
     }
-    return page + "</body></html>\n";
+    return page + "</main></body></html>\n";
 }
 
 }  // namespace overturn::report

@@ -1,8 +1,9 @@
 """Opens a page in headless Chromium and says what is wrong with it, one line each; nothing where all is well.
 
 Arguments: the browser, the page, a stem for screenshots (none: none are taken). It must load nothing but itself, say nothing to the
-console, show every figure, reach beyond neither a phone's nor a desk's window, and have every table and text whole in
-print. Talks to the browser over its debugging pipe, so that no port and no package is needed."""
+console, show every figure, reach beyond neither a phone's nor a desk's window, keep no reader out (accessibility.py; light, dark and
+on a phone), and have every table and text whole in print. Where it has a script, its tables must sort and filter and its figures
+zoom and tell values. Talks to the browser over its debugging pipe, so that no port and no package is needed."""
 
 import json
 import os
@@ -10,6 +11,8 @@ import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import accessibility
 
 
 class Browser:
@@ -87,6 +90,43 @@ CUT = """[...document.querySelectorAll('table, pre, svg')].filter(e => !e.parent
     return r.right > document.documentElement.clientWidth + 1;
 }).map(e => e.tagName + ' ' + e.textContent.trim().slice(0, 60))"""
 
+# What its script does: tables sort both ways and filter, figures zoom and tell the value of a marker under the pointer.
+WORKS = """(() => { const found = [];
+    for (const table of document.querySelectorAll('table.sortable')) {
+        const rows = () => [...table.tBodies[0].rows].map(r => r.cells[0].textContent), before = rows().join();
+        const button = table.tHead.rows[0].cells[0].querySelector('button');
+        if (!button) { found.push('a table does not sort: ' + table.caption.textContent); continue; }
+        button.click();
+        const up = rows(); button.click();
+        const down = rows(), sorted = [...up].sort((a, b) => a.localeCompare(b, undefined, {numeric: true}));
+        if (up.join() !== sorted.join() || down.join() !== [...sorted].reverse().join()) found.push('wrong order: ' + table.caption.textContent);
+    }
+    for (const input of document.querySelectorAll('.filter input')) {
+        const table = (input.closest('.filter').nextElementSibling || document).querySelector('table');
+        const shown = () => [...table.tBodies[0].rows].filter(r => r.checkVisibility()).length, all = shown();
+        const put = text => { input.value = text; input.dispatchEvent(new Event('input')); };
+        put('no row holds these words');
+        if (shown() !== 0) found.push('does not filter: ' + table.caption.textContent);
+        put('');
+        if (shown() !== all) found.push('keeps rows hidden: ' + table.caption.textContent);
+    }
+    for (const svg of document.querySelectorAll('figure svg[data-axes]')) {
+        const named = svg.getAttribute('aria-label'), inner = svg.querySelector('g');
+        const use = svg.querySelector('g[id^="axes_"] > g[id^="line2d_"] use');
+        const axes = JSON.parse(svg.dataset.axes).filter(a => 'x' in a);
+        if (!axes.length) continue;
+        const box = axes[0].box, centre = new DOMPoint((box[0] + box[2]) / 2, (box[1] + box[3]) / 2).matrixTransform(inner.getScreenCTM());
+        svg.dispatchEvent(new PointerEvent('pointermove', {clientX: centre.x, clientY: centre.y, bubbles: true}));
+        const tip = document.querySelector('.tip');
+        if (tip.style.display !== 'block' || !/: -?[0-9]/.test(tip.textContent)) found.push('no value: ' + named);
+        svg.dispatchEvent(new PointerEvent('pointerleave'));
+        const [closer, , reset] = svg.closest('figure').querySelectorAll('.zoom button');
+        closer.click();
+        if (!/scale\\(1.5\\)/.test(inner.getAttribute('transform'))) found.push('does not zoom: ' + named);
+        reset.click();
+    }
+    return found })()"""
+
 PRINT_WIDTH = 688  # of A4 between margins of 14 mm [px]
 
 
@@ -105,11 +145,18 @@ def faults(browser, page):
                 yield f"at {width} px: figure {name!r} is {across:.0f} x {up:.0f} px"
         for what in browser.value(BEYOND):
             yield f"at {width} px: {what} reaches beyond the window"
+        for scheme in ("dark", "light"):
+            browser.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+            if scheme == "light" or width > 400:
+                for what in accessibility.faults(browser):
+                    yield f"at {width} px, {scheme}: {what}"
         if len(sys.argv) > 3:
             shot = browser.ask("Page.captureScreenshot", captureBeyondViewport=True, clip={
                 "x": 0, "y": 0, "width": width, "height": browser.value("document.documentElement.scrollHeight"), "scale": 1})
             import base64
             Path(f"{sys.argv[3]}-{width}.png").write_bytes(base64.b64decode(shot["data"]))
+    if browser.value("document.scripts.length"):
+        yield from browser.value(WORKS)
     tables = browser.value("document.querySelectorAll('table').length")
     browser.ask("Emulation.setEmulatedMedia", media="print")
     browser.ask("Emulation.setDeviceMetricsOverride", width=PRINT_WIDTH, height=1000, deviceScaleFactor=1, mobile=False)
