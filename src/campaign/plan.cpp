@@ -21,6 +21,9 @@ constexpr std::int64_t most_block_trials = 1 << 16U;  // in a block of several w
 constexpr std::int64_t unmeasured_block = 128;        // waves at least: 0.2 ms each, a commit takes 1 ms to 6 ms
 constexpr std::int64_t most_blocks = 1 << 20U;        // files, 1024 in a folder
 
+// Waves in a block, so that there are no more blocks than that.
+std::int64_t shortest_of_all(std::int64_t waves) { return (waves + most_blocks - 1) / most_blocks; }
+
 std::int64_t groups_of(CampaignSpec const& spec) {
     return spec.levels.independent_waves ? std::ssize(spec.levels.levels) : 1;
 }
@@ -62,7 +65,7 @@ std::int64_t waves_per_block(std::int64_t waves, std::int64_t trials_per_wave, s
     auto const soon = longest_block_s / (trial_on_points_s * static_cast<double>(std::max<std::int64_t>(on_points, 1)));
     auto const most = std::min(most_block_trials / trials_per_wave,
                                on_points > 0 ? static_cast<std::int64_t>(soon) : most_block_trials);
-    auto size = std::max(std::min(wanted, std::max<std::int64_t>(most, 1)), (waves + most_blocks - 1) / most_blocks);
+    auto size = std::max(std::min(wanted, std::max<std::int64_t>(most, 1)), shortest_of_all(waves));
     while (spec.has_target() && waves_per_look(waves) % size != 0) {
         --size;
     }
@@ -72,8 +75,7 @@ std::int64_t waves_per_block(std::int64_t waves, std::int64_t trials_per_wave, s
 }  // namespace
 
 std::int64_t waves_per_look(std::int64_t waves) {
-    return std::max(std::clamp(waves / blocks_wanted, std::int64_t{1}, largest_block),
-                    (waves + most_blocks - 1) / most_blocks);
+    return std::max(std::clamp(waves / blocks_wanted, std::int64_t{1}, largest_block), shortest_of_all(waves));
 }
 
 Plan::Plan(CampaignSpec const& spec)

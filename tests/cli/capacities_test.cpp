@@ -90,7 +90,7 @@ TEST_F(Capacities, WhatCannotBeReadIsRefusedWhereItStands) {
     refuse("pga [g]\n0.7\nx\n", "c.csv:3:1: 'x' (not a number)");
     refuse("pga [g]\n0.7\n-1\n", "must be above 0");
     refuse("pga [g],collapsed\n0.7,2\n", "must be 1 or 0");
-    refuse("pga [g],collapsed\n>0.7,1\n", "that fell");
+    refuse("pga [g],collapsed\n>0.7,1\n", "marked as overturned");
     refuse("pga [g],drift\n0.7,2\n", "'drift' (unknown)");
     refuse("collapsed\n1\n", "no column of intensities");
     refuse("pga [g]\n", "no capacity");

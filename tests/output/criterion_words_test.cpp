@@ -74,7 +74,8 @@ TEST(CriterionWords, FalseSafeOnesSpeakAgainst) {
 
 TEST(CriterionWords, SafetyThatWasNotTriedIsOpen) {
     EXPECT_TRUE(holds(words_on(judged(Safety::none_said_safe), 0.95).open, "V_WES called no trial safe"));
-    EXPECT_TRUE(holds(words_on(judged(Safety::none_uplifted), 0.95).open, "not tested: none of the 42 trials that"));
+    EXPECT_TRUE(holds(words_on(judged(Safety::none_uplifted), 0.95).open,
+                      "not tested: no uplift in any of the 42 trials that"));
 }
 
 TEST(CriterionWords, FalseAlarmsAreWeighedByHalf) {

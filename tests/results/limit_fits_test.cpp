@@ -122,8 +122,8 @@ TEST(LimitState, BadOnesAreRefusedWhereTheyAreWrong) {
     refuse("[[limits]]\nname='a'\nany=['b']\n", "no limit state stated before this one");
     refuse("[[limits]]\nname='a'\nany=['a']\n", "no limit state stated before this one");
     refuse("[[limits]]\nname='a'\nany=[]\n", "empty");
-    refuse(touches, "'peak_slip' without sliding among the effects", "[effects]\nmode='none'\n");
-    refuse("[[limits]]\nname='a'\nquantity='peak_crush'\nabove='1 mm'\n", "'peak_crush' without contact",
+    refuse(touches, "'peak_slip' needs the effect sliding", "[effects]\nmode='none'\n");
+    refuse("[[limits]]\nname='a'\nquantity='peak_crush'\nabove='1 mm'\n", "'peak_crush' needs the effect contact",
            "[effects]\ninclude=['sliding']\n");
 }
 
