@@ -186,7 +186,7 @@ void print_scene(CampaignSpec const& spec, Plan const& plan, PlanOptions const& 
 
 // \return what it found
 ProbedCost print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
-    auto const cost = probe(spec, plan);
+    auto cost = probe(spec, plan);
     print_entry("per wave", fmt::format("{:.1f} ms: generation {:.1f}, intensity measures {:.1f}, {} trials {:.1f}",
                                         1e3 * cost.wave_s(), 1e3 * cost.generation_s, 1e3 * cost.measures_s,
                                         plan.trials_per_wave(), 1e3 * cost.trials_s));
