@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "core/input_files.hpp"
 #include "motion/column_unit.hpp"
+#include "output/curve_spread.hpp"
 #include "output/frequency_text.hpp"
 #include "output/json.hpp"
 #include "output/stated_curve.hpp"
