@@ -234,7 +234,8 @@ class Run {
         auto const ranks = comm_.gather(seconds_text(comm_, done_.seconds));
         if (comm_.is_root()) {
             print_note("cost: {}\n", output::model_costs(sum_of_models(ranks)));
-            print_segments(leg_text(options_.part, ranks, wall_s_, done_.committed * plan_.trials() / plan_.blocks()));
+            print_segments(
+                segment_text(options_.part, ranks, wall_s_, done_.committed * plan_.trials() / plan_.blocks()));
         }
     }
 

@@ -39,7 +39,8 @@ std::string seconds_text(parallel::Communicator const& comm, PhaseSeconds const&
 PhaseSeconds sum_of_models(std::vector<std::string> const& ranks) {
     PhaseSeconds sum;
     for (auto const& rank : ranks) {
-        auto const found = nlohmann::json::parse(rank).at("models");
+        auto const json = nlohmann::json::parse(rank);
+        auto const& found = json.at(json.contains("models") ? "models" : "rungs");  // as they were called once
         for (std::size_t r = 0; r < sum.models.size(); ++r) {
             auto const& model = found.at(model_categories()[r].name);
             sum.models[r].trials += model.at("trials").get<std::int64_t>();
@@ -49,7 +50,7 @@ PhaseSeconds sum_of_models(std::vector<std::string> const& ranks) {
     return sum;
 }
 
-std::string leg_text(Part part, std::vector<std::string> const& ranks, double wall_s, std::int64_t trials) {
+std::string segment_text(Part part, std::vector<std::string> const& ranks, double wall_s, std::int64_t trials) {
     auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     auto const ended = std::chrono::system_clock::to_time_t(now);
     std::tm utc{};

@@ -20,8 +20,8 @@ namespace overturn {
 [[nodiscard]] PhaseSeconds sum_of_models(std::vector<std::string> const& ranks);
 
 /// What one run, or one part, did: program, compiler, libraries, and all its ranks.
-[[nodiscard]] std::string leg_text(Part part, std::vector<std::string> const& ranks, double wall_s,
-                                   std::int64_t trials);
+[[nodiscard]] std::string segment_text(Part part, std::vector<std::string> const& ranks, double wall_s,
+                                       std::int64_t trials);
 
 /// Beside `output`, of all its segments. A failure is said on stderr and no more: the results do not depend on it.
 void write_runtime(std::filesystem::path const& output, std::span<std::string const> segments);

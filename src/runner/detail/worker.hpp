@@ -5,9 +5,10 @@
 /// cores): a commit takes 1 ms (temporary file, two syncs, a rename), an operation on a shared counter 1 us to 2 us,
 /// the merge reads and writes 0.3 GB to 0.5 GB a second on rank 0, in the memory of one block besides what the
 /// statistics keep. A wave takes 10 ms to 100 ms, a row of a trial 0.3 kB; a block is 1 to 64 waves, so 0.02 s to 6 s,
-/// 1 kB to 400 kB. Where nothing is measured a wave takes 0.2 ms, and a block is 128 of them. Blocks of few trials are
-/// computed together, a tenth of a second's or so, so that the trials which go to one model fill the vector lanes,
-/// and those of a twentieth of a second are committed together, which takes the disk little longer than one.
+/// 1 kB to 400 kB; where trials run on points it is as many waves as take 5 s. Where nothing is measured a wave takes
+/// 0.2 ms, and a block is 128 of them. Blocks of few trials are computed together, a tenth of a second's or so, so that
+/// the trials which go to one model fill the vector lanes, and those of a twentieth of a second are committed together,
+/// which takes the disk little longer than one.
 ///
 /// | ranks | blocks of | commits a second | to the file system | counter, operations a second |
 /// |-------|-----------|------------------|--------------------|------------------------------|
