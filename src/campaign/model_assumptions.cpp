@@ -6,24 +6,14 @@
 #include <array>
 #include <string_view>
 
+#include "campaign/detail/stated_waves.hpp"
+
 namespace overturn {
 namespace {
-
-bool states(CampaignSpec const& spec, std::string_view begin) {
-    return std::ranges::any_of(spec.inputs, [&](config::InputValue const& input) {
-        return input.key.starts_with(begin) && input.basis != config::Basis::by_default;
-    });
-}
 
 bool is_drawn(CampaignSpec const& spec) {
     return std::ranges::any_of(spec.inputs, [](config::InputValue const& input) {
         return input.key == "waves.source" && (input.text == "spectrum-compatible" || input.text == "filtered-noise");
-    });
-}
-
-bool has_records(CampaignSpec const& spec) {
-    return std::ranges::any_of(spec.inputs, [](config::InputValue const& input) {
-        return input.key == "waves.source" && input.text == "records";
     });
 }
 
@@ -39,15 +29,13 @@ bool allows_a_bed(CampaignSpec const& spec) { return allows(spec, Effect::contac
 Bears always(CampaignSpec const& /*spec*/) { return Bears::yes; }
 
 Bears where_no_second_component(CampaignSpec const& spec) {
-    bool const across = states(spec, "waves.transverse") || has_records(spec);
     bool const shaken = std::ranges::any_of(spec.bodies, [](BodySpec const& body) { return body.axes > 1; });
-    return across && shaken && allows(spec, Effect::spatial) ? Bears::where_not_required : Bears::yes;
+    return may_shake_across(spec) && shaken && allows(spec, Effect::spatial) ? Bears::where_not_required : Bears::yes;
 }
 
 Bears where_no_vertical_component(CampaignSpec const& spec) {
-    bool const up = states(spec, "waves.vertical") || has_records(spec);
     bool const shaken = std::ranges::any_of(spec.bodies, [](BodySpec const& body) { return body.axes > 2; });
-    return up && shaken && allows(spec, Effect::vertical) ? Bears::no : Bears::yes;
+    return may_shake_vertically(spec) && shaken && allows(spec, Effect::vertical) ? Bears::no : Bears::yes;
 }
 
 Bears where_rigid(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::where_not_required : Bears::yes; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "campaign/detail/stated_waves.hpp"
 #include "campaign/waves_per_look.hpp"
 #include "core/error.hpp"
 
@@ -38,17 +39,10 @@ std::int64_t may_be_drawn(CampaignSpec const& spec) {
     return available ? static_cast<std::int64_t>(*available) : spec.wave_count * acceptance.most_drawn;
 }
 
-bool has_input(CampaignSpec const& spec, std::string_view key, std::string_view value = {}) {
-    return std::ranges::any_of(spec.inputs, [&](config::InputValue const& input) {
-        return input.key.starts_with(key) && input.basis != config::Basis::by_default
-               && (value.empty() || input.text == value);
-    });
-}
-
 // How many trials of a wave may run on points, which are a hundred times as dear as others.
 std::int64_t trials_on_points(CampaignSpec const& spec, std::int64_t levels) {
     auto const points = mask_of(Effect::contact) | mask_of(Effect::spatial);
-    bool const across = has_input(spec, "waves.transverse") || has_input(spec, "waves.source", "records");
+    bool const across = may_shake_across(spec);
     return levels * std::ranges::count_if(spec.bodies, [&](BodySpec const& body) {
                return body.footing.stated || (spec.effects.include & points) != 0 || (across && body.axes > 1);
            });
