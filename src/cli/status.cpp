@@ -215,11 +215,7 @@ Told told_of(std::string const& path, Unverified const& unverified, bool cheap) 
         file.facts["extension"] = std::move(extension->facts);
         return file;
     }
-    store::ShardFolder const unnamed(path, "");
-    require_begun(unnamed, path);
-    auto input = CampaignInput::deserialise(unnamed.begun_with());
-    require_same_program(input, path);
-    Unfinished run(path, std::move(input), cheap);
+    Unfinished run(path, begun_campaign(path), cheap);
     auto told = told_of_run(run, path, "--resume");
     told.more = cheap ? std::string() : so_far(run.spec, run.plan, run.shards, run.committed);
     return told;

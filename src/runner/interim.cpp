@@ -14,10 +14,7 @@
 namespace overturn {
 
 Interim interim_results(std::filesystem::path const& output) {
-    store::ShardFolder const unnamed(output, "");
-    require_begun(unnamed, output);
-    auto input = CampaignInput::deserialise(unnamed.begun_with());
-    require_same_program(input, output);
+    auto input = begun_campaign(output);
     auto spec = std::make_unique<CampaignSpec>(parse_campaign(input));
     Plan const plan(*spec);
     store::ShardFolder const shards(output, input.block_key());

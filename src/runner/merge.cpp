@@ -37,6 +37,37 @@ std::string shell_word(std::string const& text) {
     return word + "'";
 }
 
+void require_begun(store::ShardFolder const& shards, std::filesystem::path const& output) {
+    if (!shards.begun_with().empty()) {
+        return;
+    }
+    validate(
+        !shards.holds_blocks(),
+        "{}: blocks without the record of their campaign (removed by hand?). Go on with: overturn run CAMPAIGN -o {} "
+        "--resume",
+        shards.folder().string(), output.string());
+    throw InputError(
+        fmt::format("{}: no such results, finished or not (nothing was begun there). Check the name", output.string()));
+}
+
+void require_same_program(CampaignInput const& begun, std::filesystem::path const& output) {
+    validate(begun.program == program_identity(),
+             "{}: begun by overturn {}, this is {} (their blocks must not be mixed). Finish it with that program, or "
+             "start anew with another -o",
+             output.string(), begun.program, program_identity());
+    validate(
+        begun.machine == machine(),
+        "{}: begun on {}, this is {} (their last bits differ, blocks must not be mixed). Finish it on {}, or start "
+        "anew with another -o",
+        output.string(), begun.machine, machine(), begun.machine);
+    CampaignInput const here;
+    validate(
+        begun.libraries == here.libraries,
+        "{}: begun with {}, this has {} (their last bits may differ, blocks must not be mixed). Finish it with those, "
+        "or start anew with another -o",
+        output.string(), begun.libraries, here.libraries);
+}
+
 }  // namespace
 
 std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
@@ -76,35 +107,12 @@ std::string resume_command(CampaignInput const& input, std::filesystem::path con
                        settings);
 }
 
-void require_begun(store::ShardFolder const& shards, std::filesystem::path const& output) {
-    if (!shards.begun_with().empty()) {
-        return;
-    }
-    validate(
-        !shards.holds_blocks(),
-        "{}: blocks without the record of their campaign (removed by hand?). Go on with: overturn run CAMPAIGN -o {} "
-        "--resume",
-        shards.folder().string(), output.string());
-    throw InputError(
-        fmt::format("{}: no such results, finished or not (nothing was begun there). Check the name", output.string()));
-}
-
-void require_same_program(CampaignInput const& begun, std::filesystem::path const& output) {
-    validate(begun.program == program_identity(),
-             "{}: begun by overturn {}, this is {} (their blocks must not be mixed). Finish it with that program, or "
-             "start anew with another -o",
-             output.string(), begun.program, program_identity());
-    validate(
-        begun.machine == machine(),
-        "{}: begun on {}, this is {} (their last bits differ, blocks must not be mixed). Finish it on {}, or start "
-        "anew with another -o",
-        output.string(), begun.machine, machine(), begun.machine);
-    CampaignInput const here;
-    validate(
-        begun.libraries == here.libraries,
-        "{}: begun with {}, this has {} (their last bits may differ, blocks must not be mixed). Finish it with those, "
-        "or start anew with another -o",
-        output.string(), begun.libraries, here.libraries);
+CampaignInput begun_campaign(std::filesystem::path const& output) {
+    store::ShardFolder const shards(output, "");
+    require_begun(shards, output);
+    auto input = CampaignInput::deserialise(shards.begun_with());
+    require_same_program(input, output);
+    return input;
 }
 
 MergeEnd merge_parts(std::filesystem::path const& output, output::TextOptions const& options) {

@@ -35,11 +35,9 @@ enum class MergeEnd { complete, missing };
 /// \throws InputError if nothing was begun there, or a run is writing there now
 [[nodiscard]] MergeEnd merge_parts(std::filesystem::path const& output, output::TextOptions const& options = {});
 
-/// \throws InputError if nothing was begun beside `output`, saying so, or what it was is not on record
-void require_begun(store::ShardFolder const& shards, std::filesystem::path const& output);
-
-/// \throws InputError if another program began it
-void require_same_program(CampaignInput const& begun, std::filesystem::path const& output);
+/// What the unfinished run that is to write `output` was begun with, by this program.
+/// \throws InputError if nothing was begun there, saying so, what it was is not on record, or another program began it
+[[nodiscard]] CampaignInput begun_campaign(std::filesystem::path const& output);
 
 /// "overturn run c.toml -o c.h5 --resume --set seed=3", to be pasted into a shell: what computes the rest.
 [[nodiscard]] std::string resume_command(CampaignInput const& input, std::filesystem::path const& output,
