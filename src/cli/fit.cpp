@@ -25,6 +25,7 @@
 #include "output/made_by.hpp"
 #include "output/results_tables.hpp"
 #include "output/sections.hpp"
+#include "output/status_text.hpp"
 #include "output/summary_tables.hpp"
 #include "results/analysis.hpp"
 #include "results/few_waves.hpp"
@@ -227,8 +228,7 @@ int fit_interim(FitOptions const& options) {
                            {"all_blocks", now.all_blocks ? output::Json(*now.all_blocks) : output::Json()}});
         return done;
     }
-    auto const line = fmt::format("INTERIM: {} of {} waves, those that were done first; the run is not complete\n",
-                                  now.waves, now.planned);
+    auto const line = output::interim_text(now.waves, now.planned);
     fmt::print("{}", line);
     print_fitted(all, spec, now.statistics, has_withheld(now.input), options.file, text);
     fmt::print("{}", line);

@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "campaign/trial.hpp"
 #include "cli/json_values.hpp"
 #include "cli/trial_history.hpp"
+#include "output/trial_text.hpp"
 #include "response/registry.hpp"
 #include "results/stored_names.hpp"
 
@@ -25,13 +25,18 @@ namespace {
 constexpr std::size_t fewest_at_most = 12;
 constexpr std::size_t most_shown = 24;
 
+// How the trials of a file ended, read once.
+struct StoredEnds {
+    std::vector<Verdict> verdicts;
+    std::vector<double> peak_rotation_ratios;
+};
+
 // The highest peak that stood on compliant points, of each body.
 std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec, Plan const& plan,
-                                                        store::ResultsReader const& file) {
+                                                        store::ResultsReader const& file, StoredEnds const& stored) {
     std::vector<std::optional<std::int64_t>> nearest(spec.bodies.size());
     std::vector<double> highest(spec.bodies.size(), 0);
-    auto const ends = stored_verdicts(file);
-    auto const peaks = reals_or_unknown(file, "trials/peak_rotation_ratio", ends.size());
+    auto const& [ends, peaks] = stored;
     auto const effects =
         file.has("trials/effects") ? file.integers("trials/effects") : std::vector<std::int64_t>(ends.size());
     for (std::size_t t = 0; t < ends.size(); ++t) {
@@ -49,11 +54,11 @@ std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec
 // Of each body the trial that came farthest at the design basis: one that fell, else by tilt, else by slip. None where
 // nothing moved there, or no level is the design basis.
 std::vector<std::optional<std::int64_t>> farthest_at_design_basis(CampaignSpec const& spec, Plan const& plan,
-                                                                  store::ResultsReader const& file) {
+                                                                  store::ResultsReader const& file,
+                                                                  StoredEnds const& stored) {
     std::vector<std::optional<std::int64_t>> farthest(spec.bodies.size());
     std::vector<std::tuple<bool, double, double>> reached(spec.bodies.size());
-    auto const ends = stored_verdicts(file);
-    auto const tilts = reals_or_unknown(file, "trials/peak_rotation_ratio", ends.size());
+    auto const& [ends, tilts] = stored;
     auto const slips = reals_or_unknown(file, "trials/peak_slip", ends.size());
     for (std::size_t t = 0; t < ends.size(); ++t) {
         auto const trial = plan.trial(t);
@@ -83,8 +88,10 @@ std::vector<ChosenTrial> chosen(CampaignSpec const& spec, Plan const& plan, std:
                                 store::ResultsReader const& file) {
     std::vector<TellingTrial> by_kind(telling.begin(), telling.end());
     std::ranges::stable_sort(by_kind, {}, &TellingTrial::kind);
+    auto const ends = stored_verdicts(file);
+    StoredEnds const stored{ends, reals_or_unknown(file, "trials/peak_rotation_ratio", ends.size())};
     std::vector<std::vector<ChosenTrial>> offered(spec.bodies.size());
-    for (auto const& trial : farthest_at_design_basis(spec, plan, file)) {
+    for (auto const& trial : farthest_at_design_basis(spec, plan, file, stored)) {
         if (trial) {
             add(offered.at(plan.trial(*trial).body), *trial, "farthest at the design basis");
         }
@@ -92,7 +99,7 @@ std::vector<ChosenTrial> chosen(CampaignSpec const& spec, Plan const& plan, std:
     for (auto const& t : by_kind) {
         add(offered.at(t.body), t.trial, std::string(telling_kinds.at(static_cast<std::size_t>(t.kind))));
     }
-    for (auto const& trial : nearest_misses(spec, plan, file)) {
+    for (auto const& trial : nearest_misses(spec, plan, file, stored)) {
         if (trial) {
             add(offered.at(plan.trial(*trial).body), *trial, "nearest-miss on points");
         }
@@ -123,10 +130,8 @@ ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<C
         }
         auto const& row = trial.rows.front();
         auto const& stated = spec.bodies[body];
-        auto const record = spec.source->name(plan.wave_id(wave));
-        auto const title = fmt::format("{}, trial {} ({}): wave {}{} at {}, {}", stated.name, number, words,
-                                       plan.number(wave), record.empty() ? "" : ", " + record,
-                                       spec.levels.text(row.amplitude), entry_of(row.verdict).name);
+        auto const title =
+            output::trial_title(spec, row, number, plan.number(wave), words, spec.source->name(plan.wave_id(wave)));
         MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;
         shown.drawn.push_back(history_data(
             kept, {title, stated, prepared.bodies[body].body, prepared.motion, row.scale, measures}, for_a_page));

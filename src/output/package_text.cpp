@@ -1,6 +1,7 @@
 #include "output/package_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -10,6 +11,20 @@
 
 namespace overturn::output {
 namespace {
+
+// What each kind of record compares, and the verb that writes it; in the order of RecordKind.
+struct KnownCheck {
+    char const* check;
+    char const* verb;
+    bool of_file = false;  // of a results file
+};
+constexpr std::array checks{KnownCheck{"stored rows against a second computation", "verify", true},
+                            KnownCheck{"installation against known answers", "qualify"},
+                            KnownCheck{"program against published results", "qualify --published"},
+                            KnownCheck{"error of the settings against their cost", "cost CAMPAIGN"},
+                            KnownCheck{"effect of each assumed value", "cost CAMPAIGN --sensitivity"}};
+
+std::string named(RecordKind kind) { return checks[static_cast<std::size_t>(kind)].check; }
 
 std::string bodies_text(CampaignSpec const& spec) {
     constexpr std::size_t most = 3;
@@ -68,10 +83,10 @@ CheckRow verification(Json const& record, std::string const& maker) {
     result += passed ? ": all bit-equal"
                      : fmt::format(": {} trials and {} waves DIFFER, first {}", count_at(record, "differing_trials"),
                                    count_at(record, "differing_waves"), text_at(record, "first"));
-    return {"stored rows against a second computation", result, circumstances(record, maker), !passed};
+    return {named(RecordKind::verify), result, circumstances(record, maker), !passed};
 }
 
-CheckRow qualification(char const* check, Json const& record, std::string const& maker) {
+CheckRow qualification(RecordKind kind, Json const& record, std::string const& maker) {
     std::vector<std::string> failed;
     std::vector<std::string> apart;  // from what others printed, for a stated reason
     for (auto const& each : record.at("checks")) {
@@ -87,7 +102,7 @@ CheckRow qualification(char const* check, Json const& record, std::string const&
                       : apart.empty() ? fmt::format("all {} checks pass", all)
                                       : fmt::format("{} of {} checks pass; known to differ, each for its reason: {}",
                                                     all - apart.size(), all, fmt::join(apart, ", "));
-    return {check, text, circumstances(record, maker), !failed.empty()};
+    return {named(kind), text, circumstances(record, maker), !failed.empty()};
 }
 
 std::string sample_text(Json const& study) {
@@ -97,7 +112,7 @@ std::string sample_text(Json const& study) {
 
 CheckRow convergence(Json const& record) {
     auto const& study = record.at("study").at(0);
-    return {"error of the settings against their cost",
+    return {named(RecordKind::cost),
             fmt::format("half the step changes {} of {} verdicts. {}", count_at(study, "step_flips"),
                         count_at(study, "step_trials"), text_at(study, "sentence")),
             sample_text(study), false};
@@ -116,7 +131,7 @@ CheckRow sensitivity(Json const& record) {
                             text_at(row, "moved_to"), text_at(row, "body"), 100 * change);
         }
     }
-    return {"effect of each assumed value", largest.empty() ? "no resolved change of a median" : "largest: " + largest,
+    return {named(RecordKind::sensitivity), largest.empty() ? "no resolved change of a median" : "largest: " + largest,
             sample_text(record.at("study").at(0)), false};
 }
 
@@ -209,9 +224,8 @@ CheckRow check_row(RecordKind kind, Json const& record, std::string const& maker
         case RecordKind::verify:
             return verification(record, maker);
         case RecordKind::qualify:
-            return qualification("installation against known answers", record, maker);
         case RecordKind::published:
-            return qualification("program against published results", record, maker);
+            return qualification(kind, record, maker);
         case RecordKind::cost:
             return convergence(record);
         case RecordKind::sensitivity:
@@ -221,22 +235,9 @@ CheckRow check_row(RecordKind kind, Json const& record, std::string const& maker
 }
 
 CheckRow missing_check(RecordKind kind, std::string const& file) {
-    auto const row = [&](char const* check, std::string const& command) {
-        return CheckRow{check, "not run", "overturn " + command + " --json", false};
-    };
-    switch (kind) {
-        case RecordKind::verify:
-            return row("stored rows against a second computation", "verify " + file);
-        case RecordKind::qualify:
-            return row("installation against known answers", "qualify");
-        case RecordKind::published:
-            return row("program against published results", "qualify --published");
-        case RecordKind::cost:
-            return row("error of the settings against their cost", "cost CAMPAIGN");
-        case RecordKind::sensitivity:
-            break;
-    }
-    return row("effect of each assumed value", "cost CAMPAIGN --sensitivity");
+    auto const& known = checks[static_cast<std::size_t>(kind)];
+    return {known.check, "not run", fmt::format("overturn {}{} --json", known.verb, known.of_file ? " " + file : ""),
+            false};
 }
 
 }  // namespace overturn::output

@@ -39,4 +39,9 @@ std::string before_extension_text(std::string const& complete) { return "the fil
 
 std::string so_far_text(std::string const& waves_text) { return waves_text + " so far"; }
 
+std::string interim_text(std::int64_t waves, std::int64_t planned) {
+    return fmt::format("INTERIM: {} of {} waves, those that were done first; the run is not complete\n", waves,
+                       planned);
+}
+
 }  // namespace overturn::output

@@ -41,4 +41,7 @@ struct Progress {
 /// What became of the waves of a run that did not end.
 [[nodiscard]] std::string so_far_text(std::string const& waves_text);
 
+/// What a fit of an unfinished run is marked with, a line.
+[[nodiscard]] std::string interim_text(std::int64_t waves, std::int64_t planned);
+
 }  // namespace overturn::output

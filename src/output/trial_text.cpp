@@ -22,8 +22,10 @@ std::string trial_text(CampaignSpec const& spec, TrialRow const& row, std::int64
                          row.peak_rotation_ratio, when, row.impacts);
 }
 
-std::string trial_title(CampaignSpec const& spec, TrialRow const& row, std::int64_t trial, std::int64_t wave) {
-    return fmt::format("{}, trial {}: wave {} at {}, {}", spec.bodies[row.body].name, trial, wave,
+std::string trial_title(CampaignSpec const& spec, TrialRow const& row, std::int64_t trial, std::int64_t wave,
+                        std::string const& words, std::string const& record) {
+    return fmt::format("{}, trial {}{}: wave {}{} at {}, {}", spec.bodies[row.body].name, trial,
+                       words.empty() ? "" : " (" + words + ")", wave, record.empty() ? "" : ", " + record,
                        spec.levels.text(row.amplitude), entry_of(row.verdict).name);
 }
 
