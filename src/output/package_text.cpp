@@ -18,13 +18,13 @@ struct KnownCheck {
     char const* verb;
     bool of_file = false;  // of a results file
 };
-constexpr std::array checks{KnownCheck{"stored rows against a second computation", "verify", true},
-                            KnownCheck{"installation against known answers", "qualify"},
-                            KnownCheck{"program against published results", "qualify --published"},
-                            KnownCheck{"error of the settings against their cost", "cost CAMPAIGN"},
-                            KnownCheck{"effect of each assumed value", "cost CAMPAIGN --sensitivity"}};
+constexpr std::array known_checks{KnownCheck{"stored rows against a second computation", "verify", true},
+                                  KnownCheck{"installation against known answers", "qualify"},
+                                  KnownCheck{"program against published results", "qualify --published"},
+                                  KnownCheck{"error of the settings against their cost", "cost CAMPAIGN"},
+                                  KnownCheck{"effect of each assumed value", "cost CAMPAIGN --sensitivity"}};
 
-std::string named(RecordKind kind) { return checks[static_cast<std::size_t>(kind)].check; }
+std::string named(RecordKind kind) { return known_checks[static_cast<std::size_t>(kind)].check; }
 
 std::string bodies_text(CampaignSpec const& spec) {
     constexpr std::size_t most = 3;
@@ -235,7 +235,7 @@ CheckRow check_row(RecordKind kind, Json const& record, std::string const& maker
 }
 
 CheckRow missing_check(RecordKind kind, std::string const& file) {
-    auto const& known = checks[static_cast<std::size_t>(kind)];
+    auto const& known = known_checks[static_cast<std::size_t>(kind)];
     return {known.check, "not run", fmt::format("overturn {}{} --json", known.verb, known.of_file ? " " + file : ""),
             false};
 }
