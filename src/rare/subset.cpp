@@ -8,16 +8,13 @@
 
 #include "core/error.hpp"
 #include "rare/detail/answer_items.hpp"
+#include "rare/detail/answer_row.hpp"
 #include "rare/detail/normals.hpp"
 #include "rare/detail/scout.hpp"
 #include "rare/detail/subset_run.hpp"
 
 namespace overturn::rare {
 namespace {
-
-SubsetRow row_of(Answer const& answer) {
-    return {answer.driver, answer.failed ? 1 : 0, answer.undecided && !answer.failed ? 1 : 0};
-}
 
 class Simulation {
   public:
@@ -59,7 +56,7 @@ class Simulation {
   private:
     void begin();
     [[nodiscard]] std::int64_t replicates() const { return runs_.size(); }
-    template <class Draw> void answer(std::span<SubsetRow> rows, Draw const& draw) const {
+    template <class Draw> void answer(std::span<AnswerRow> rows, Draw const& draw) const {
         answer_items(problem_, rows.size(), {&factor_, 1}, draw,
                      [&](std::size_t i, std::span<Answer const> answers) { rows[i] = row_of(answers.front()); });
     }
@@ -78,8 +75,8 @@ class Simulation {
 
 void Simulation::begin() {
     auto const each = options_.samples;
-    auto const rows = workers_.map<SubsetRow>({.name = name_ + "-0", .items = each * replicates()},
-                                              [&](std::int64_t first, std::span<SubsetRow> out) {
+    auto const rows = workers_.map<AnswerRow>({.name = name_ + "-0", .items = each * replicates()},
+                                              [&](std::int64_t first, std::span<AnswerRow> out) {
                                                   answer(out, [&](std::size_t i, std::span<double> normals) {
                                                       auto const item = first + static_cast<std::int64_t>(i);
                                                       runs_[item / each].plain(item % each, normals);
@@ -113,7 +110,7 @@ void Simulation::step_all(std::vector<std::size_t> const& going, std::int64_t st
     auto const items = chains * std::ssize(going);
     auto const name = fmt::format("{}-{}-{}", name_, runs_[going.front()].result().levels, step + 1);
     auto const rows =
-        workers_.map<SubsetRow>({.name = name, .items = items}, [&](std::int64_t first, std::span<SubsetRow> out) {
+        workers_.map<AnswerRow>({.name = name, .items = items}, [&](std::int64_t first, std::span<AnswerRow> out) {
             answer(out, [&](std::size_t i, std::span<double> normals) {
                 auto const item = first + static_cast<std::int64_t>(i);
                 runs_[going[item / chains]].propose(item % chains, normals);

@@ -6,33 +6,27 @@
 #include <fmt/format.h>
 
 #include "rare/detail/answer_items.hpp"
+#include "rare/detail/answer_row.hpp"
 #include "rare/detail/normals.hpp"
 
 namespace overturn::rare {
 namespace {
 
-struct ScoutRow {
-    double driver = 0;
-    std::int64_t failed = 0, undecided = 0;
-};
-
-std::vector<ScoutRow> look(Problem const& problem, double factor, DrawKey key, std::int64_t trials,
-                           Workforce& workers) {
-    return workers.map<ScoutRow>(
+std::vector<AnswerRow> look(Problem const& problem, double factor, DrawKey key, std::int64_t trials,
+                            Workforce& workers) {
+    return workers.map<AnswerRow>(
         {.name = fmt::format("scout-{}", key.level), .items = trials},
-        [&](std::int64_t first, std::span<ScoutRow> out) {
+        [&](std::int64_t first, std::span<AnswerRow> out) {
             auto const draw = [&](std::size_t i, std::span<double> normals) {
                 key.index = static_cast<std::uint64_t>(first) + i;
                 draw_normals(key, normals);
             };
-            answer_items(problem, out.size(), {&factor, 1}, draw, [&](std::size_t i, std::span<Answer const> answers) {
-                auto const& answer = answers.front();
-                out[i] = {answer.driver, answer.failed ? 1 : 0, answer.undecided && !answer.failed ? 1 : 0};
-            });
+            answer_items(problem, out.size(), {&factor, 1}, draw,
+                         [&](std::size_t i, std::span<Answer const> answers) { out[i] = row_of(answers.front()); });
         });
 }
 
-Count count_of(std::span<ScoutRow const> rows) {
+Count count_of(std::span<AnswerRow const> rows) {
     Count count{.trials = std::ssize(rows)};
     for (auto const& row : rows) {
         count.failed += row.failed;
@@ -42,7 +36,7 @@ Count count_of(std::span<ScoutRow const> rows) {
 }
 
 // Of a nested driver the failures are the highest, but for few that came close.
-double missed_by_driver(std::span<ScoutRow const> rows, std::int64_t failed) {
+double missed_by_driver(std::span<AnswerRow const> rows, std::int64_t failed) {
     std::size_t const within = 2 * failed;
     if (failed == 0 || within >= rows.size()) {
         return 0;
@@ -54,7 +48,7 @@ double missed_by_driver(std::span<ScoutRow const> rows, std::int64_t failed) {
     std::nth_element(drivers.begin(), drivers.begin() + within, drivers.end(), std::greater<>());
     double const least = drivers[within];
     auto const missed = std::count_if(rows.begin(), rows.end(),
-                                      [&](ScoutRow const& row) { return row.failed != 0 && row.driver < least; });
+                                      [&](AnswerRow const& row) { return row.failed != 0 && row.driver < least; });
     return static_cast<double>(missed) / static_cast<double>(failed);
 }
 

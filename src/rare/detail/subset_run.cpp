@@ -26,7 +26,7 @@ void SubsetRun::plain(std::int64_t index, std::span<double> normals) {
     std::copy(state.begin(), state.end(), normals.begin());
 }
 
-void SubsetRun::begin(std::span<SubsetRow const> rows) {
+void SubsetRun::begin(std::span<AnswerRow const> rows) {
     OVERTURN_EXPECT(std::ssize(rows) == options_.samples);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         samples_.push_back(result_.nodes.size());
@@ -81,7 +81,7 @@ void SubsetRun::propose(std::int64_t chain, std::span<double> normals) {
     std::copy(proposal.begin(), proposal.end(), normals.begin());
 }
 
-void SubsetRun::step(std::span<SubsetRow const> rows) {
+void SubsetRun::step(std::span<AnswerRow const> rows) {
     OVERTURN_EXPECT(rows.size() == chains_.size() && !level_is_full());
     std::int64_t accepted = 0;
     for (std::size_t c = 0; c < rows.size(); ++c) {

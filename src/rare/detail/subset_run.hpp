@@ -6,16 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "rare/detail/answer_row.hpp"
 #include "rare/detail/chain_states.hpp"
 #include "rare/subset.hpp"
 
 namespace overturn::rare {
-
-/// What a trial of a chain answers.
-struct SubsetRow {
-    double driver = 0;
-    std::int64_t failed = 0, undecided = 0;
-};
 
 class SubsetRun {
   public:
@@ -28,13 +23,13 @@ class SubsetRun {
     /// The normals of a plain trial.
     void plain(std::int64_t index, std::span<double> normals);
     /// Takes the answers of plain trials 0, 1, ...
-    void begin(std::span<SubsetRow const> rows);
+    void begin(std::span<AnswerRow const> rows);
     /// Looks at the samples of a level: is this the last one, and what does the next one ask for?
     void close_level();
     /// The trial that chain `chain` makes next, as normals. \pre end() == End::none
     void propose(std::int64_t chain, std::span<double> normals);
     /// Takes the chains' answers: accepts, and adapts the step.
-    void step(std::span<SubsetRow const> rows);
+    void step(std::span<AnswerRow const> rows);
     /// Whether every chain has made its steps within this level.
     [[nodiscard]] bool level_is_full() const { return step_ == options_.samples / options_.chains - 1; }
 
