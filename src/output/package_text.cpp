@@ -87,22 +87,8 @@ CheckRow verification(Json const& record, std::string const& maker) {
 }
 
 CheckRow qualification(RecordKind kind, Json const& record, std::string const& maker) {
-    std::vector<std::string> failed;
-    std::vector<std::string> apart;  // from what others printed, for a stated reason
-    for (auto const& each : record.at("checks")) {
-        if (!each.at("passed").get<bool>()) {
-            failed.push_back(text_at(each, "number"));
-        } else if (!text_at(each, "differs_because").empty()) {
-            apart.push_back(text_at(each, "number"));
-        }
-    }
-    auto const all = record.at("checks").size();
-    auto const text = !failed.empty()
-                          ? fmt::format("{} of {} checks FAIL: {}", failed.size(), all, fmt::join(failed, ", "))
-                      : apart.empty() ? fmt::format("all {} checks pass", all)
-                                      : fmt::format("{} of {} checks pass; known to differ, each for its reason: {}",
-                                                    all - apart.size(), all, fmt::join(apart, ", "));
-    return {named(kind), text, circumstances(record, maker), !failed.empty()};
+    return {named(kind), record.at("summary").get<std::string>(), circumstances(record, maker),
+            !record.at("passed").get<bool>()};
 }
 
 std::string sample_text(Json const& study) {
@@ -204,7 +190,7 @@ RecordKind kind_of_record(Json const& record, std::string const& name) {
     if (has("differing_trials")) {
         return RecordKind::verify;
     }
-    if (has("checks") && has("published")) {
+    if (has("summary") && has("published")) {
         return record.at("published").get<bool>() ? RecordKind::published : RecordKind::qualify;
     }
     if (has("knobs") && has("study")) {

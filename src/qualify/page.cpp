@@ -35,15 +35,17 @@ std::string with_remark(std::string text, Check const& check) {
 std::string with_source(LeftOut const& left) { return fmt::format("{} ({})", left.result, left.source); }
 
 std::string verdict(Qualification const& shown) {
-    auto const failed = std::ranges::count_if(shown.checks, [](Check const& check) { return !check.passed(); });
-    if (failed > 0) {
-        return fmt::format("{} of {} checks FAIL", failed, shown.checks.size());
-    }
+    std::vector<std::string> failed;
     std::vector<std::string> apart;
     for (auto const& check : shown.checks) {
-        if (!check.agrees()) {
+        if (!check.passed()) {
+            failed.push_back(check.number);
+        } else if (!check.agrees()) {
             apart.push_back(check.number);
         }
+    }
+    if (!failed.empty()) {
+        return fmt::format("{} of {} checks FAIL: {}", failed.size(), shown.checks.size(), fmt::join(failed, ", "));
     }
     auto const agree = shown.checks.size() - apart.size();
     return apart.empty() ? fmt::format("all {} checks pass", agree)
@@ -104,10 +106,19 @@ nlohmann::ordered_json json_of(Qualification const& shown) {
     for (auto const& left : shown.left_out) {
         left_out.push_back({{"result", left.result}, {"source", left.source}, {"reason", left.reason}});
     }
-    return {{"passed", shown.passed()},     {"program", shown.program},     {"machine", shown.machine},
-            {"compiler", shown.compiler},   {"libraries", shown.libraries}, {"mpi", shown.mpi},
-            {"ranks", shown.ranks},         {"folder", shown.folder},       {"date", shown.date},
-            {"published", shown.published}, {"checks", std::move(checks)},  {"left_out", std::move(left_out)}};
+    return {{"passed", shown.passed()},
+            {"summary", verdict(shown)},
+            {"program", shown.program},
+            {"machine", shown.machine},
+            {"compiler", shown.compiler},
+            {"libraries", shown.libraries},
+            {"mpi", shown.mpi},
+            {"ranks", shown.ranks},
+            {"folder", shown.folder},
+            {"date", shown.date},
+            {"published", shown.published},
+            {"checks", std::move(checks)},
+            {"left_out", std::move(left_out)}};
 }
 
 std::string page_of(Qualification const& shown) {

@@ -36,7 +36,7 @@ TEST(QualifyPage, CallsAFailureSo) {
                         "seen <here>"),
               std::string::npos)
         << text;
-    EXPECT_NE(text.find("1 of 2 checks FAIL"), std::string::npos) << text;
+    EXPECT_NE(text.find("\n1 of 2 checks FAIL: X-02\n"), std::string::npos) << text;
     auto const json = json_of(shown);
     EXPECT_FALSE(json["passed"]);
     EXPECT_TRUE(json["checks"][0]["passed"]);
@@ -44,7 +44,7 @@ TEST(QualifyPage, CallsAFailureSo) {
     auto const page = page_of(shown);
     EXPECT_NE(page.find("class=\"fail\"><td>FAIL</td><td>X-02</td><td>a &lt; b</td>"), std::string::npos) << page;
     EXPECT_NE(page.find("sum &amp; difference"), std::string::npos);
-    EXPECT_NE(page.find("1 of 2 checks FAIL"), std::string::npos);
+    EXPECT_NE(page.find("1 of 2 checks FAIL: X-02"), std::string::npos);
 }
 
 // A printed number that is known to be wrong is no failure, and is not passed over either.
