@@ -96,10 +96,11 @@ ContactBlock contact_block(RigidBody const& body, BasePlan const& base, Pad cons
     // At 1 the springs no longer hold the body upright against its own weight. Empirical: how near to that the model
     // still means something was not measured.
     constexpr double upright_margin = 1.2;
-    validate(
-        w * w * bed > upright_margin * block.gravity_mps2 * block.centre_height_m,
-        "the pad's vertical frequency is {} Hz (so soft a bed hardly holds the body upright). State the measured one",
-        pad.vertical_frequency_hz);
+    validate(w * w * bed > upright_margin * block.gravity_mps2 * block.centre_height_m,
+             "a body of alpha {:.2g} rad on a pad of {} Hz (so soft a bed hardly holds so slender a body upright). "
+             "Check its "
+             "base width and centre height, or state the measured vertical frequency",
+             body.alpha_rad(), pad.vertical_frequency_hz);
     double const weight = body.mass_kg() * block.gravity_mps2;
     validate(!pad.strength_pa || *pad.strength_pa * area(base, body.half_width_m()) > 2 * weight,
              "the pad's strength is {} Pa (a corner could not bear the body's weight). State it with its unit: 30 MPa",

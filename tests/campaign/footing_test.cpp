@@ -99,7 +99,7 @@ TEST(Footing, WhatCannotStandIsRefusedAtItsKey) {
     refused("pad={strength='0 MPa'}\n", "strength");
     refused("pad={strength='30 kg'}\n", "MPa");
     refused("pad={strength=30}\n", "weight", "30 MPa");
-    refused("pad={vertical_frequency='1 Hz'}\n", "upright");
+    refused("pad={vertical_frequency='1 Hz'}\n", "so slender a body upright");
     refused("pad={vertical_frequency='1.2 Hz'}\n", "pad", "upright");
     refused("restitution=0.5\nbase={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n",
             "polygon", "normal_restitution");
