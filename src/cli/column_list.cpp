@@ -1,30 +1,53 @@
 #include "cli/column_list.hpp"
 
 #include <algorithm>
+#include <string_view>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "store/format_versions.hpp"
+#include "store/known_columns.hpp"
 
 namespace overturn::cli {
 namespace {
 
-// "limits/touches/stripes/type-a" -> "limits/<limit>/stripes/<body>"
-std::string generic(std::string const& group, std::vector<std::string> const& bodies,
-                    std::vector<std::string> const& limits) {
-    std::string text;
-    std::string before;
+// "subset-0" -> "subset-<n>"
+std::string without_number(std::string const& part) {
+    for (std::string_view const numbered : {"subset-", "mixture-", "stage-"}) {
+        if (part.starts_with(numbered)) {
+            return std::string(numbered) + "<n>";
+        }
+    }
+    return part;
+}
+
+// Names that a campaign gives: "limits/touches/stripes/type-a" -> "limits/<limit>/stripes/<body>"
+std::string generic(std::string const& group, std::vector<std::string> const& bodies) {
+    std::vector<std::string> parts;
     for (std::size_t begin = 0; begin <= group.size();) {
         auto const end = std::min(group.find('/', begin), group.size());
-        auto const part = group.substr(begin, end - begin);
-        bool const named = !before.empty() && before != "trials";
-        bool const body = named && std::ranges::find(bodies, part) != bodies.end();
-        bool const limit = before == "limits" && std::ranges::find(limits, part) != limits.end();
-        text += (text.empty() ? "" : "/") + (limit ? "<limit>" : body ? "<body>" : part);
-        before = part;
+        auto part = group.substr(begin, end - begin);
+        auto const before = parts.empty() ? "" : parts.back();
+        bool const of_body = before == "<body>";
+        if (before == "limits" || before == "pairs" || before == "together") {
+            part = "<limit>";
+        } else if (of_body && parts.front() == "quantiles") {
+            part = "<quantity>";
+        } else if (of_body && parts.front() == "criterion_by_level") {
+            part = "<criterion>";
+        } else if (!before.empty() && before != "trials" && std::ranges::find(bodies, part) != bodies.end()) {
+            part = "<body>";
+        }
+        parts.push_back(without_number(part));
         begin = end + 1;
     }
-    return text;
+    return fmt::format("{}", fmt::join(parts, "/"));
+}
+
+// Of trials and waves, whose columns follow from the campaign.
+bool is_row(std::string_view group) {
+    return group == "trials" || group.starts_with("trials/") || group == "waves" || group.starts_with("waves/");
 }
 
 std::string unit_of(store::ColumnMeaning const& column) {
@@ -36,18 +59,18 @@ std::string unit_of(store::ColumnMeaning const& column) {
 void add_groups(store::ResultsReader const& file, std::vector<std::string> const& unknown,
                 std::vector<ListedGroup>& groups) {
     auto const bodies = file.members("bodies");
-    auto const limits = file.members("limits");
     for (auto const& column : file.columns()) {
         auto const slash = column.path.rfind('/');
-        auto const name = slash == std::string::npos ? "" : generic(column.path.substr(0, slash), bodies, limits);
+        auto const name = slash == std::string::npos ? "" : generic(column.path.substr(0, slash), bodies);
         auto group = std::ranges::find(groups, name, &ListedGroup::name);
         if (group == groups.end()) {
-            group = groups.insert(groups.end(), {name, {}});
+            group = groups.insert(groups.end(), {name, {}, {}});
         }
         auto own = column;
         own.path = column.path.substr(slash + 1);
-        if (std::ranges::find(unknown, column.path) != unknown.end()) {
-            own.description = "(unknown to this program) " + own.description;
+        if (is_row(name) ? std::ranges::find(unknown, column.path) != unknown.end()
+                         : !store::is_known_column(name, own.path)) {
+            group->unknown.push_back(own.path);
         }
         if (std::ranges::find(group->columns, own.path, &store::ColumnMeaning::path) == group->columns.end()) {
             group->columns.push_back(std::move(own));
@@ -69,8 +92,9 @@ std::string columns_text(std::vector<ListedGroup> const& groups) {
         }
         for (auto const& column : group.columns) {
             auto const unit = unit_of(column);
-            text += fmt::format("  {:<{}}  {}{}{}\n", column.path, widest, unit, unit.empty() ? "" : " ",
-                                column.description);
+            bool const known = std::ranges::find(group.unknown, column.path) == group.unknown.end();
+            text += fmt::format("  {:<{}}  {}{}{}{}\n", column.path, widest, unit, unit.empty() ? "" : " ",
+                                known ? "" : "(unknown to this program) ", column.description);
         }
     }
     return text;

@@ -8,15 +8,17 @@
 
 namespace overturn::cli {
 
-/// Columns of one group. Groups of different bodies or limit states that hold the same columns are one: their names are
-/// "<body>" and "<limit>" here.
+/// Columns of one group. Groups of different bodies, limit states, quantities and runs that hold the same columns are
+/// one: their names are "<body>", "<limit>", "<quantity>" and "<n>" here.
 struct ListedGroup {
     std::string name;                           ///< "limits/<limit>/stripes/<body>"
     std::vector<store::ColumnMeaning> columns;  ///< path: the column's own name
+    std::vector<std::string> unknown;           ///< names of columns that this program does not know
 };
 
 /// Adds those of a file to what is listed, in the order of names.
-/// \param unknown paths of columns that this program does not know: their meaning says so
+/// \param unknown paths of columns of trials and waves that this program does not know; those of results are known by
+/// the page of columns
 void add_groups(store::ResultsReader const& file, std::vector<std::string> const& unknown,
                 std::vector<ListedGroup>& groups);
 

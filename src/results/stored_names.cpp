@@ -30,6 +30,16 @@ Verdict meaning_of(store::ResultsReader const& file, std::string_view name) {
     return is_listed(file, "moved", name) ? Verdict::rocked : Verdict::at_rest;
 }
 
+constexpr std::string_view of_model = "trials/";  // groups of columns of one model alone
+
+bool is_of_model(std::string_view model, std::string_view column) {
+    return std::ranges::any_of(models(), [&](auto const& known) {
+        auto const& traits = known.traits();
+        return traits.name == model
+               && (column == "trial" || std::ranges::find(traits.fields, column, &Field::name) != traits.fields.end());
+    });
+}
+
 std::vector<store::TableSpec> tables_of_rows(CampaignSpec const& spec) {
     std::vector<store::TableSpec> tables{trial_table(spec), wave_table(spec)};
     for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
@@ -78,10 +88,16 @@ std::vector<std::string> unknown_columns(store::ResultsReader const& file, Campa
         auto const slash = column.path.rfind('/');
         auto const group = column.path.substr(0, std::min(slash, column.path.size()));
         auto const table = std::ranges::find(known, group, &store::TableSpec::group);
+        auto const name = column.path.substr(std::min(slash, column.path.size() - 1) + 1);
+        if (table == known.end() && group.starts_with(of_model)) {
+            if (!is_of_model(group.substr(of_model.size()), name)) {
+                unknown.push_back(column.path);
+            }
+            continue;
+        }
         if (slash == std::string::npos || table == known.end()) {
             continue;
         }
-        auto const name = column.path.substr(slash + 1);
         bool const axis = name == table->axis || column.path == table->axis;
         if (!axis && std::ranges::find(table->columns, name, &Field::name) == table->columns.end()) {
             unknown.push_back(column.path);

@@ -27,8 +27,8 @@ struct UnknownModel {
 };
 [[nodiscard]] std::vector<UnknownModel> unknown_models(store::ResultsReader const& file);
 
-/// Columns of /trials, /waves and /waves/<body> that this program does not know, by path: they are kept, and nothing
-/// is made of them.
+/// Columns of /trials, models' own among them, /waves and /waves/<body> that this program does not know, by path: they
+/// are kept, and nothing is made of them.
 [[nodiscard]] std::vector<std::string> unknown_columns(store::ResultsReader const& file, CampaignSpec const& spec);
 
 /// Columns of /trials, models' own among them, /waves and /waves/<body> that this program would write and the file does

@@ -39,7 +39,7 @@ constexpr std::array came{
     Came{4, "fragility/<body>",
          "five_percent_point five_percent_point_lower five_percent_point_upper median_at_05 median_at_50 median_at_95 "
          "one_percent_point stripe_p_value"},
-    Came{4, "rare/<body>/subset-0", "acceptance levels thresholds"},
+    Came{4, "rare/<body>/subset-<n>", "acceptance levels thresholds"},
     Came{4, "waves",
          "epsilon_between_0.1s epsilon_between_0.2s epsilon_between_0.5s epsilon_between_10s epsilon_between_1s "
          "epsilon_between_2s epsilon_between_3s epsilon_between_4s epsilon_between_5s epsilon_within_0.1s "

@@ -107,6 +107,13 @@ std::string varying_campaign() {
            "[measures]\nsa_periods=[1, 3]\nsa_band=[1, 3]\ncurves=['standardised_cav']\n";
 }
 
+// A level of rare events by failure pulses.
+std::string pulses_campaign() {
+    auto text = read_text(std::filesystem::path(OVERTURN_CAMPAIGNS) / "../tests/portable/rare_pulses.toml");
+    std::string const body = "type_b_model.toml";
+    return text.replace(text.find(body), body.size(), OVERTURN_CAMPAIGNS "/bodies/" + body);
+}
+
 TEST_F(Format, OneVersionHasOneTableOfColumns) {
     run(campaign_on_points(2) + "[measures]\nboth_radius_units=true\n[[limits]]\nname='touches'\nquantity='peak_slip'\n"
                                 "above='0.1 m'\n",
@@ -125,8 +132,9 @@ TEST_F(Format, ThePageOfColumnsIsTheFilesOwn) {
     run(varying_campaign(), "varying.h5");
     run(small_campaign("shared", 2) + "[site]\nwall='1 m'\nedge='1 m'\n", "site.h5");
     ASSERT_EQ(execute(folder, {"/bin/sh", "-c", "gzip -dc '" OVERTURN_GOLDEN "/results-5.h5.gz' > grid.h5"}).code, 0);
-    auto const page =
-        overturn(folder, {"list", "columns", "c.h5", "rare.h5", "varying.h5", "site.h5", "grid.h5", "--markdown"});
+    run(pulses_campaign(), "pulses.h5");
+    auto const page = overturn(
+        folder, {"list", "columns", "c.h5", "rare.h5", "varying.h5", "site.h5", "grid.h5", "pulses.h5", "--markdown"});
     ASSERT_EQ(page.code, 0) << page.err;
 
     auto const path = std::filesystem::path(OVERTURN_GOLDEN) / "../../src/store/COLUMNS.md";
@@ -140,6 +148,10 @@ TEST_F(Format, ThePageOfColumnsIsTheFilesOwn) {
     auto const text = overturn(folder, {"list", "columns", "grid.h5"}).out;
     EXPECT_NE(text.find("/grid/<body>\n"), std::string::npos) << text;
     EXPECT_EQ(text.find("/rare"), std::string::npos) << text;
+    for (std::string const name : {"c.h5", "rare.h5", "varying.h5", "site.h5", "grid.h5", "pulses.h5"}) {
+        auto const listed = overturn(folder, {"list", "columns", name}).out;
+        EXPECT_EQ(listed.find("unknown to this program"), std::string::npos) << name << listed;
+    }
     for (auto const& wrong : {std::vector<std::string>{"list", "columns"}, {"list", "columns", "none.h5"}}) {
         EXPECT_EQ(overturn(folder, wrong).code, 2);
     }
@@ -169,6 +181,8 @@ TEST_F(Format, FilesStayReadable) {
             << verified.out;
         EXPECT_EQ(overturn(folder, {"replay", "old.h5", "--trial", "5"}).code, 0);
         EXPECT_EQ(overturn(folder, {"report", "old.h5", "-o", "old.html"}).code, 0);
+        auto const listed = overturn(folder, {"list", "columns", "old.h5"}).out;
+        EXPECT_EQ(listed.find("unknown to this program"), std::string::npos) << version << listed;
     }
 }
 
@@ -199,15 +213,28 @@ TEST_F(Format, AProgramWithMoreIsRead) {
         EXPECT_EQ(stripes[l].at("contact_lost"), 0);
     }
     auto const columns = overturn(folder, {"list", "columns", "more.h5"});
-    auto const loudness = columns.out.substr(columns.out.find("loudness"));
-    EXPECT_EQ(loudness.find("(unknown to this program) "), loudness.find('(')) << "what is not known here is kept";
+    // What is not known here is kept and marked: a column of waves, of results, of a model's own.
+    for (std::string const name : {"loudness ", "crushed ", "crushing_called ", "depth ", "hits "}) {
+        auto const line = columns.out.substr(columns.out.find("  " + name));
+        auto const mark = line.find("(unknown to this program) ");
+        EXPECT_LT(mark, line.find('\n')) << name << columns.out;
+    }
+    std::size_t marks = 0;
+    for (auto at = columns.out.find("unknown to"); at != std::string::npos;
+         at = columns.out.find("unknown to", at + 1)) {
+        ++marks;
+    }
+    EXPECT_EQ(marks, 5U) << columns.out;
     EXPECT_NE(fit.err.find("model 'crush' is not known to this program: its "), std::string::npos) << fit.err;
     EXPECT_EQ(overturn(folder, {"report", "more.h5", "-o", "more.html"}).code, 0);
     // Where the models of both ran a trial it is the same to the bit.
     EXPECT_EQ(overturn(folder, {"replay", "more.h5", "--trial", "0"}).code, 0);
     auto const verified = overturn(folder, {"verify", "more.h5"});
     EXPECT_EQ(verified.code, 1);
-    EXPECT_NE(verified.err.find("not compared (this program does not know them): waves/loudness"), std::string::npos)
+    EXPECT_NE(
+        verified.err.find("not compared (this program does not know them): trials/crush/depth, trials/crush/hits, "
+                          "waves/loudness\n"),
+        std::string::npos)
         << verified.err;
     EXPECT_NE(verified.out.find("0 waves differ"), std::string::npos) << verified.out;
 }

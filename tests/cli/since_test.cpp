@@ -33,7 +33,8 @@ std::string generic(std::string const& path, std::set<std::string> const& bodies
     std::string before;
     for (std::string part; std::getline(parts, part, '/'); before = part) {
         bool const body = !before.empty() && before != "trials" && bodies.contains(part);
-        text += (text.empty() ? "" : "/") + (before == "limits" ? "<limit>" : body ? "<body>" : part);
+        auto const name = before == "limits" ? "<limit>" : body ? "<body>" : part == "subset-0" ? "subset-<n>" : part;
+        text += (text.empty() ? "" : "/") + name;
     }
     return text;
 }

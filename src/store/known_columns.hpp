@@ -1,0 +1,12 @@
+/// The columns of results that this program knows: those of its page COLUMNS.md, and of earlier formats.
+#pragma once
+
+#include <string_view>
+
+namespace overturn::store {
+
+/// Is the column on the page, or one that an earlier format had?
+/// \param group without a slash before it, as the page has it: "stripes/<body>"
+[[nodiscard]] bool is_known_column(std::string_view group, std::string_view column);
+
+}  // namespace overturn::store
