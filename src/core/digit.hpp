@@ -1,8 +1,9 @@
-/// Which letters are digits, whatever the locale.
+/// Which characters are digits and letters, whatever the locale.
 #pragma once
 
 namespace overturn {
 
 [[nodiscard]] constexpr bool is_digit(char letter) { return letter >= '0' && letter <= '9'; }
+[[nodiscard]] constexpr bool is_small_letter(char letter) { return letter >= 'a' && letter <= 'z'; }
 
 }  // namespace overturn

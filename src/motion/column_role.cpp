@@ -163,7 +163,7 @@ std::string measure_in_name(std::string_view name) {
 bool is_period_name(std::string_view name) {
     auto const lower = lowered(trimmed(name.substr(0, name.find_first_of("(["))));
     Text const stem = lower;
-    auto const is_letter = [&](std::size_t at) { return stem[at] >= 'a' && stem[at] <= 'z'; };
+    auto const is_letter = [&](std::size_t at) { return is_small_letter(stem[at]); };
     constexpr auto words = std::to_array<Text>({"perio", "p\xC3\xA9rio", "periyo", "\xE5\x91\xA8\xE6\x9C\x9F"});
     return (stem.starts_with('t') && (stem.size() == 1 || !is_letter(1) || stem == "tn"))
            || std::ranges::any_of(words, [&](Text word) { return stem.find(word) != Text::npos; });

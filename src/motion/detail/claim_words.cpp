@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/digit.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/text_lines.hpp"
 
@@ -11,10 +12,6 @@ namespace overturn {
 namespace {
 
 using Text = std::string_view;
-
-constexpr Text letters = "abcdefghijklmnopqrstuvwxyz";
-
-bool is_letter(char c) { return letters.find(c) != Text::npos; }
 
 constexpr Text number_letters = "0123456789.+-";
 
@@ -177,7 +174,7 @@ std::optional<double> step_with_unit(Text line) {
     }
     for (auto const mark : marks) {
         auto const at = line.find(mark);
-        bool const inside = mark != "@" && at != Text::npos && at > 0 && is_letter(line[at - 1]);
+        bool const inside = mark != "@" && at != Text::npos && at > 0 && is_small_letter(line[at - 1]);
         if (at == Text::npos || inside) {
             continue;
         }
@@ -199,7 +196,7 @@ std::optional<double> step_with_unit(Text line) {
 std::size_t find_words(Text line, Text text) {
     for (auto at = line.find(text); at != Text::npos; at = line.find(text, at + 1)) {
         auto const end = at + text.size();
-        if ((at == 0 || !is_letter(line[at - 1])) && (end == line.size() || !is_letter(line[end]))) {
+        if ((at == 0 || !is_small_letter(line[at - 1])) && (end == line.size() || !is_small_letter(line[end]))) {
             return at;
         }
     }

@@ -13,12 +13,10 @@ using Text = std::string_view;
 
 constexpr Text letters = "abcdefghijklmnopqrstuvwxyz";
 
-bool is_letter(char c) { return letters.find(c) != Text::npos; }
-
 /// The word that ends before `at`, without blanks, colons and equals signs between.
 Text word_before(Text line, std::size_t at) {
     auto const end = line.find_last_not_of(" \t:=", at == 0 ? 0 : at - 1);
-    if (at == 0 || end == Text::npos || !is_letter(line[end])) {
+    if (at == 0 || end == Text::npos || !is_small_letter(line[end])) {
         return {};
     }
     auto const begin = line.find_last_not_of(letters, end);

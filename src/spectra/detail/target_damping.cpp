@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/text_lines.hpp"
 #include "spectra/detail/target_names.hpp"
@@ -12,8 +13,6 @@ using Text = std::string_view;
 bool has_any(Text text, std::initializer_list<Text> words) {
     return std::ranges::any_of(words, [&](Text word) { return text.find(word) != Text::npos; });
 }
-
-bool is_small_letter(char c) { return c >= 'a' && c <= 'z'; }
 
 std::optional<double> number_behind(Text text) {
     text = text.substr(std::min(text.find_first_not_of(" \t:=of"), text.size()));

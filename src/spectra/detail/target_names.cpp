@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
@@ -24,13 +25,11 @@ bool holds_any(Text text, std::initializer_list<Text> words) {
 /// Before its brackets, in lower case.
 std::string stem_of(Text name) { return lowered(trimmed(name.substr(0, name.find_first_of("([")))); }
 
-bool is_letter(char c) { return c >= 'a' && c <= 'z'; }
-
 /// "V_E", "Ve (m/s)", "energy velocity", "Veq", "sqrt(2E/m)"; "vel" is none.
 bool names_energy(Text lower) {
     constexpr auto begins = std::to_array<Text>({"veq", "v-e", "sv_e", "psv_e", "e_i"});
     auto const alone = [&](Text word) {
-        return lower.starts_with(word) && (lower.size() == word.size() || !is_letter(lower[word.size()]));
+        return lower.starts_with(word) && (lower.size() == word.size() || !is_small_letter(lower[word.size()]));
     };
     return alone("ve") || alone("v_e") || holds_any(lower, {"energy", "equivalent vel", "velocity_eq", "sqrt(2e"})
            || std::ranges::any_of(begins, [&](Text begin) { return lower.starts_with(begin); });
