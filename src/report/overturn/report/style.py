@@ -84,6 +84,10 @@ def save(figure, path):
     nothing = {"svg": {"Date": None, "Creator": None}, "png": {"Software": None},
                "pdf": {"CreationDate": None, "Creator": None, "Producer": None}}
     kind = path.rsplit(".", 1)[1]
+    layout = figure.get_layout_engine()
+    if layout is not None:  # once: savefig would lay out and draw everything twice
+        layout.execute(figure)
+        figure.set_layout_engine(None)
     figure.savefig(path, metadata=nothing[kind])
     if kind == "svg":
         state_axes(figure, path)
