@@ -183,9 +183,6 @@ TEST_F(Limits, ReportShowsThem) {
     expect_rows(folder.read("figures/quantiles.csv"),
                 fitted.at("quantiles").get<std::vector<nlohmann::ordered_json>>());
     EXPECT_TRUE(folder.has("figures/peak-slip-type-a.svg"));
-    ASSERT_EQ(overturn(folder, {"run", "plain.toml", "-o", "0.h5"}).code, 0);
-    ASSERT_EQ(overturn(folder, {"report", "0.h5", "-o", "b.html"}).code, 0);
-    EXPECT_EQ(folder.read("b.html").find("<section id=\"limits\""), std::string::npos);
 }
 
 /// Of what only contact knows, fit recounts what the run counted, and every trial tells.

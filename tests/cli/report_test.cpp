@@ -113,6 +113,7 @@ TEST_F(Report, DoesWithoutWhatWasNotMeasured) {
         ASSERT_EQ(ended.code, 0) << ended.err;
         auto const page = folder->read("bare.html");
         EXPECT_EQ(page.find("<section id=\"criterion"), std::string::npos);
+        EXPECT_EQ(page.find("<section id=\"limits\""), std::string::npos) << "it has no limit state of its own";
         EXPECT_NE(page.find("<section id=\"fragility"), std::string::npos);
     }
     EXPECT_EQ(overturn(*folder, {"cost", "c.toml", "--waves", "2", "--set", "measures.energy=false", "--set",

@@ -90,7 +90,7 @@ TEST_F(Verify, RareEventsAreRowsToo) {
         "seed=7\n[waves]\nsource='filtered-noise'\nrms='1 m/s2'\nmodel='clough-penzien'\nground_frequency='0.5 Hz'\n"
         "ground_damping=0.5\nfilter_frequency='0.1 Hz'\ncount=3\nduration='20.47 s'\ntime_step='0.02 s'\n"
         "[[bodies]]\nname='block'\nmass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\n"
-        "inertia='uniform-block'\nrestitution=0.85\n[levels]\nmeasure='factor'\nvalues=[1.25]\n"
+        "inertia='uniform-block'\nrestitution=0.85\n[levels]\nmeasure='factor'\nvalues=[1.6]\n"
         "[rare]\nmethod='subset'\nreplicates=4\n");
     auto const ended = overturn(folder, {"verify", "c.h5"});
 
