@@ -69,13 +69,12 @@ std::string validated_range_text(CampaignSpec const& spec, std::size_t most) {
     constexpr char const* tests = "245 shaking-table tests of two granite blocks";
     auto const outside = outside_validated_range(spec);
     if (outside.empty()) {
-        return fmt::format("all bodies lie within what {} hold", tests);
+        return fmt::format("all bodies lie within the range of {}", tests);
     }
     auto const shown = std::min(most, outside.size());
-    return fmt::format("outside what {} hold, in {}{}", tests, fmt::join(std::span(outside).first(shown), "; "),
-                       shown == outside.size()
-                           ? std::string()
-                           : fmt::format("; and other bodies, in {} other ways", outside.size() - shown));
+    return fmt::format(
+        "outside the range of {}: {}{}", tests, fmt::join(std::span(outside).first(shown), "; "),
+        shown == outside.size() ? std::string() : fmt::format("; and other bodies ({} more)", outside.size() - shown));
 }
 
 }  // namespace overturn

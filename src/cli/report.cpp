@@ -245,7 +245,8 @@ int write_report(ReportOptions const& options) {
     data["wave_notes"] = notes_of(spec, statistics);
     auto const histories = shown_trials(spec, plan, telling, file);
     data["histories"] = histories.drawn;
-    data["histories_of"] = output::histories_text(histories.bodies, spec.bodies.size());
+    data["histories_of"] =
+        output::histories_text(histories.bodies, spec.bodies.size(), histories.at_rest_at_design_basis);
     data["outcomes"] = outcomes_data(options.outcomes, spec, plan, file);
     data["cost"] = cost_of(options.file);
     auto const page = report::figure_text("campaign_page.py", data, ".html");

@@ -84,12 +84,30 @@ void add(std::vector<ChosenTrial>& of_body, std::int64_t trial, std::string cons
     }
 }
 
+std::vector<std::string> at_rest_at_design_basis(CampaignSpec const& spec, Plan const& plan,
+                                                 std::vector<Verdict> const& verdicts) {
+    std::vector<bool> judged(spec.bodies.size(), false);
+    std::vector<bool> moved(spec.bodies.size(), false);
+    for (std::size_t t = 0; t < verdicts.size(); ++t) {
+        auto const trial = plan.trial(t);
+        if (spec.levels.levels.at(trial.level).purpose == LevelClass::design_basis) {
+            judged[trial.body] = true;
+            moved[trial.body] = moved[trial.body] || entry_of(verdicts[t]).moved;
+        }
+    }
+    std::vector<std::string> names;
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        if (judged[b] && !moved[b]) {
+            names.push_back(spec.bodies[b].name);
+        }
+    }
+    return names;
+}
+
 std::vector<ChosenTrial> chosen(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
-                                store::ResultsReader const& file) {
+                                store::ResultsReader const& file, StoredEnds const& stored) {
     std::vector<TellingTrial> by_kind(telling.begin(), telling.end());
     std::ranges::stable_sort(by_kind, {}, &TellingTrial::kind);
-    auto const ends = stored_verdicts(file);
-    StoredEnds const stored{ends, reals_or_unknown(file, "trials/peak_rotation_ratio", ends.size())};
     std::vector<std::vector<ChosenTrial>> offered(spec.bodies.size());
     for (auto const& trial : farthest_at_design_basis(spec, plan, file, stored)) {
         if (trial) {
@@ -117,7 +135,7 @@ std::vector<ChosenTrial> chosen(CampaignSpec const& spec, Plan const& plan, std:
 }  // namespace
 
 ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<ChosenTrial const> chosen) {
-    ShownTrials shown{Json::array(), 0};
+    ShownTrials shown{.drawn = Json::array(), .bodies = 0, .at_rest_at_design_basis = {}};
     std::int64_t last = -1;
     for (auto const& [number, words] : chosen) {
         auto const [wave, body, level] = plan.trial(number);
@@ -145,7 +163,11 @@ ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<C
 
 ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
                          store::ResultsReader const& file) {
-    return histories_of(spec, plan, chosen(spec, plan, telling, file));
+    auto const ends = stored_verdicts(file);
+    StoredEnds const stored{ends, reals_or_unknown(file, "trials/peak_rotation_ratio", ends.size())};
+    auto shown = histories_of(spec, plan, chosen(spec, plan, telling, file, stored));
+    shown.at_rest_at_design_basis = at_rest_at_design_basis(spec, plan, ends);
+    return shown;
 }
 
 }  // namespace overturn::cli

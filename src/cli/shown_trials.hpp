@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -16,8 +17,9 @@
 namespace overturn::cli {
 
 struct ShownTrials {
-    nlohmann::ordered_json drawn;  ///< a list: history_data with `body`, `trial` and `title`
-    std::size_t bodies = 0;        ///< how many bodies they are of
+    nlohmann::ordered_json drawn;                      ///< a list: history_data with `body`, `trial` and `title`
+    std::size_t bodies = 0;                            ///< how many bodies they are of
+    std::vector<std::string> at_rest_at_design_basis;  ///< bodies that did not move there under any wave
 };
 
 /// A trial to be drawn, and the words for why to inspect it.

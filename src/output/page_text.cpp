@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "core/outward.hpp"
+#include "core/texts_of.hpp"
 #include "output/detail/answer_parts.hpp"
 #include "output/detail/fit_names.hpp"
 #include "output/detail/fit_words.hpp"
@@ -177,11 +178,18 @@ std::string wave_title(std::int64_t number, bool telling) {
     return fmt::format("Wave {}{}", number, telling ? ": overturned a body at the lowest level" : "");
 }
 
-std::string histories_text(std::size_t shown, std::size_t bodies) {
-    return shown >= bodies
-               ? std::string()
-               : fmt::format("Histories are of {} of {} bodies. overturn replay --plot draws that of any trial.", shown,
-                             bodies);
+std::string histories_text(std::size_t shown, std::size_t bodies,
+                           std::vector<std::string> const& at_rest_at_design_basis) {
+    std::vector<std::string> sentences;
+    if (!at_rest_at_design_basis.empty()) {
+        sentences.push_back(fmt::format("No history at the design basis: {} did not move there under any wave.",
+                                        names_text(at_rest_at_design_basis)));
+    }
+    if (shown < bodies) {
+        sentences.push_back(fmt::format(
+            "Histories are of {} of {} bodies. overturn replay --plot draws that of any trial.", shown, bodies));
+    }
+    return fmt::format("{}", fmt::join(sentences, " "));
 }
 
 std::string ran_text(std::int64_t ran, std::int64_t planned) {

@@ -33,8 +33,10 @@ namespace overturn::output {
 /// The title of a drawn wave. \param telling it overturned a body at the lowest level at which any did
 [[nodiscard]] std::string wave_title(std::int64_t number, bool telling);
 
-/// Of how many bodies histories are drawn; empty: of all.
-[[nodiscard]] std::string histories_text(std::size_t shown, std::size_t bodies);
+/// Number of bodies whose histories are drawn, where it is not all of them, and the bodies that did not move at the
+/// design basis, so that no history of it is drawn. Empty where neither is to be said.
+[[nodiscard]] std::string histories_text(std::size_t shown, std::size_t bodies,
+                                         std::vector<std::string> const& at_rest_at_design_basis);
 
 /// "40"; "32 of 64 planned: it ended early, precise enough".
 [[nodiscard]] std::string ran_text(std::int64_t ran, std::int64_t planned);

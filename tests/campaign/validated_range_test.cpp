@@ -27,7 +27,7 @@ TEST(ValidatedRange, HoldsWhatWasTested) {
     auto const spec = spec_of(body("granite", 0.0773, 0.35));
     EXPECT_TRUE(outside_validated_range(spec).empty());
     EXPECT_EQ(validated_range_text(spec),
-              "all bodies lie within what 245 shaking-table tests of two granite blocks hold");
+              "all bodies lie within the range of 245 shaking-table tests of two granite blocks");
 }
 
 TEST(ValidatedRange, NamesEveryQuantityThatLeavesIt) {

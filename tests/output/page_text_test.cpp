@@ -96,8 +96,10 @@ TEST(PageText, TrialsThatOutliveTheRecordAreCounted) {
 }
 
 TEST(PageText, WhatIsWholeNeedsNoWords) {
-    EXPECT_EQ(output::histories_text(3, 3), "");
-    EXPECT_EQ(output::histories_text(3, 5).substr(0, 29), "Histories are of 3 of 5 bodie");
+    EXPECT_EQ(output::histories_text(3, 3, {}), "");
+    EXPECT_EQ(output::histories_text(3, 5, {}).substr(0, 29), "Histories are of 3 of 5 bodie");
+    EXPECT_EQ(output::histories_text(3, 3, {"type-a", "type-b"}),
+              "No history at the design basis: type-a, type-b did not move there under any wave.");
     EXPECT_EQ(output::ran_text(40, 40), "40");
     EXPECT_EQ(output::ran_text(32, 64).substr(0, 16), "32 of 64 planned");
     EXPECT_EQ(output::wave_title(7, false), "Wave 7");
