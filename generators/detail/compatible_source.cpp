@@ -30,7 +30,7 @@ SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<Fu
         input.longest_s = std::min(input.longest_s, std::max(own.last_period_s(), 1.0));
         add(kind, input, correlation, own.psa_mps2(compared_at_s) / target.psa_mps2(compared_at_s));
     }
-    describe({.text = summary(Median::untold),
+    describe({.text = summary(Median::not_yet),
               .variability = variability(),
               .available = seeds_.empty() ? std::nullopt : std::optional<std::uint64_t>(seeds_.size()),
               .acceptance = request.acceptance,
@@ -60,7 +60,7 @@ std::string SpectrumCompatible::summary(Median median) const {
         text += fmt::format(", beyond its end at {:g} s on at constant displacement", target.last_period_s());
     }
     text += seeds_.empty() ? "" : fmt::format(", phases of {} records", seeds_.size());
-    if (auto const* const reached = median == Median::told ? parts_.front().matcher.median() : nullptr) {
+    if (auto const* const reached = median == Median::reached ? parts_.front().matcher.median() : nullptr) {
         text += fmt::format(" (to {:.1f} % on the mean, {:.1f} % at {:.3g} s)", 100 * reached->mean_misfit,
                             100 * reached->max_misfit, reached->max_misfit_period_s);
     }

@@ -55,7 +55,7 @@ class SpectrumCompatible : public WaveSource {
     [[nodiscard]] std::unique_ptr<NormalWaves> from_normals() const override;
     /// By some draws, or by the seeds: does what is slower than the wave is meant to be rule the displacement?
     [[nodiscard]] std::string pgd_drift() const override;
-    [[nodiscard]] std::string text() const override { return summary(Median::told); }
+    [[nodiscard]] std::string text() const override { return summary(Median::reached); }
     void prepare(ShareRows const& share) const override;
 
   private:
@@ -72,7 +72,7 @@ class SpectrumCompatible : public WaveSource {
 
     void add(ComponentKind const& kind, SpectrumMatcherInput const& input, std::optional<double> correlation,
              double of_horizontal);
-    enum class Median { told, untold };  // how it follows the target: known once that is calibrated
+    enum class Median { reached, not_yet };  // how it follows the target: known once that is calibrated
     [[nodiscard]] std::string summary(Median median) const;
     [[nodiscard]] std::string variability() const;
     [[nodiscard]] std::optional<StatedSigma> stated_sigma() const;

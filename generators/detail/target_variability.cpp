@@ -64,7 +64,7 @@ SpectrumShape shape_of(std::vector<double> const& log_period, std::vector<double
     return shape;
 }
 
-Epsilons told(SpectrumShape const& shape, SigmaAt const& sigma) {
+Epsilons epsilons(SpectrumShape const& shape, SigmaAt const& sigma) {
     Epsilons epsilon{};
     for (std::size_t i = 0; i < epsilon.size(); ++i) {
         epsilon[i] = std::log(shape.factor(epsilon_periods_s[i])) / sigma(epsilon_periods_s[i]);
@@ -121,8 +121,8 @@ DrawnTarget TargetVariability::draw(std::uint64_t seed, std::uint64_t wave) cons
         auto const event = deviations(seed, drawn.event, Purpose::event_spectrum);
         SigmaAt const between = [this](double period) { return interpolated(input_.between, period); };
         SigmaAt const within = [this](double period) { return interpolated(input_.within, period); };
-        drawn.epsilon_between = told(shape_of(log_period_, period_s_, event, between), between);
-        drawn.epsilon_within = told(shape_of(log_period_, period_s_, epsilon, within), within);
+        drawn.epsilon_between = epsilons(shape_of(log_period_, period_s_, event, between), between);
+        drawn.epsilon_within = epsilons(shape_of(log_period_, period_s_, epsilon, within), within);
         for (std::size_t i = 0; i < epsilon.size(); ++i) {
             double const period = period_s_[i];
             epsilon[i] = (between(period) * event[i] + within(period) * epsilon[i]) / sigma(period);
@@ -137,7 +137,7 @@ DrawnTarget TargetVariability::draw(std::uint64_t seed, std::uint64_t wave) cons
     }
     SigmaAt const in_all = [this](double period) { return sigma(period); };
     drawn.shape = shape_of(log_period_, period_s_, epsilon, in_all);
-    drawn.epsilon = told(drawn.shape, in_all);
+    drawn.epsilon = epsilons(drawn.shape, in_all);
     return drawn;
 }
 

@@ -156,8 +156,8 @@ bool LimitJudge::reads_extra() const { return !own_.empty(); }
 double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const {
     if (columns_[limit] != nullptr) {
         auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
-        bool const told = (missed & limits_[limit].quantity.needs) == 0;
-        return told ? value_at(bytes_of(row), *columns_[limit]) : never;
+        bool const answered = (missed & limits_[limit].quantity.needs) == 0;
+        return answered ? value_at(bytes_of(row), *columns_[limit]) : never;
     }
     auto const part = std::ranges::find_if(
         own_, [&](Own const& candidate) { return candidate.limit == limit && candidate.model == row.model; });

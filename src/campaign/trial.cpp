@@ -261,13 +261,13 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
     for (auto const& wave : waves) {
         auto const first_level = plan.first_level(wave.number);
         auto const first_of_wave = rows.size();
-        KnownRows const told(known != nullptr ? known->of(wave.number) : std::nullopt, wave.row);
+        KnownRows const known_rows(known != nullptr ? known->of(wave.number) : std::nullopt, wave.row);
         for (std::int64_t body = 0; body < plan.bodies(); ++body) {
             scenes.push_back(scene_of(spec, wave, body));
             for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
                 rows.push_back(open_row(spec, wave, body, level));
                 auto const own = std::span(trials.extra).subspan((rows.size() - 1) * each, each);
-                if (failed(rows.back()) || told.take(rows.size() - 1 - first_of_wave, rows.back(), own)) {
+                if (failed(rows.back()) || known_rows.take(rows.size() - 1 - first_of_wave, rows.back(), own)) {
                     continue;
                 }
                 places.push_back({rows.size() - 1, &wave});

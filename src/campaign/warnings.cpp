@@ -35,7 +35,7 @@ template <class Visit> void each_drift(CampaignSpec const& spec, Visit&& visit) 
 
 void add_drifts(CampaignSpec const& spec, Lines& lines) {
     std::int64_t count = 0;
-    bool told = false;
+    bool warned = false;
     std::string first;
     each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
         if (drift.any_excessive() && count++ == 0) {
@@ -45,8 +45,8 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
     constexpr double mostly = 0.5;
     each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
         bool const away = std::abs(drift.end_displacement_m) > mostly * drift.pgd_m;
-        if (spec.levels.measure == measure_named("pgd") && away && !told) {
-            told = true;
+        if (spec.levels.measure == measure_named("pgd") && away && !warned) {
+            warned = true;
             lines.push_back(
                 fmt::format("record {} {}: levels by pgd scale by what it is left at, fling or drift. State "
                             "waves.baseline if it is drift",

@@ -27,9 +27,9 @@ double constant_of(config::Key const& key) {
 }  // namespace
 
 std::vector<config::Key const*> told_keys(config::KeyTable const& table) {
-    auto told = table.every_key();
-    std::erase_if(told, [](config::Key const* key) { return is_withdrawn(*key); });
-    return told;
+    auto keys = table.every_key();
+    std::erase_if(keys, [](config::Key const* key) { return is_withdrawn(*key); });
+    return keys;
 }
 
 void refuse_withdrawn_keys(CampaignInput const& input) {

@@ -54,7 +54,7 @@ MeasuredFragility fitted(CapacityTable const& table, FragilityRequest const& req
     measured.name = "capacity";
     measured.label = table.column;
     measured.units = "1";
-    measured.told = {measured.units};
+    measured.shown_in = {measured.units};
     measured.fit = fragility_of(table.capacities, request);
     return measured;
 }

@@ -62,7 +62,7 @@ int fit_stripes(FitOptions const& options) {
     measured.name = "amplitude";
     measured.label = table.amplitude;
     measured.units = "1";
-    measured.told = {measured.units};
+    measured.shown_in = {measured.units};
     if (!options.design_basis.empty()) {
         double const basis = design_basis_of(options.design_basis, table);
         measured.quote_base = "design-basis";

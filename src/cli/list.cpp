@@ -176,7 +176,7 @@ int list(ListOptions const& options) {
     if (options.what == "columns") {
         return list_columns(options);
     }
-    validate(!options.unverified.wished, "--unverified (of columns of files alone). Leave it out");
+    validate(!options.unverified.read_changed, "--unverified (of columns of files alone). Leave it out");
     if (options.what == "keys") {
         return list_keys(options);
     }

@@ -27,8 +27,8 @@
 namespace overturn::cli {
 namespace {
 
-// What is told of a file or a run: lines for people, facts for scripts.
-struct Told {
+// What is report of a file or a run: lines for people, facts for scripts.
+struct StatusReport {
     int code = done;
     std::string state;      ///< the line that says how far it is
     std::string more = {};  ///< lines behind it
@@ -43,7 +43,7 @@ std::int64_t trials_of(CampaignSpec const& spec, std::int64_t waves) {
     return waves * std::ssize(spec.bodies) * Plan(spec).level_count();
 }
 
-Told told_of_file(std::string const& path, Unverified const& unverified) {
+StatusReport report_of_file(std::string const& path, Unverified const& unverified) {
     store::ResultsReader const file(path, unverified.trust());
     auto const spec = parse_campaign(input_of(file));
     bool const changed = unverified.warn_if_changed(file, path);
@@ -53,14 +53,14 @@ Told told_of_file(std::string const& path, Unverified const& unverified) {
     auto const done_waves = counted.waves().waves;
     Plan const drawn(spec);
     auto const planned = spec.has_target() ? drawn.asked() : done_waves;
-    Told told;
-    told.state = output::complete_text({.title = file.text("title"),
-                                        .trials = std::ssize(verdicts),
-                                        .waves = done_waves,
-                                        .planned = planned,
-                                        .waves_text = waves,
-                                        .changed = changed});
-    told.more = output::missed_clauses_text(counted.missed_clauses());
+    StatusReport report;
+    report.state = output::complete_text({.title = file.text("title"),
+                                          .trials = std::ssize(verdicts),
+                                          .waves = done_waves,
+                                          .planned = planned,
+                                          .waves_text = waves,
+                                          .changed = changed});
+    report.more = output::missed_clauses_text(counted.missed_clauses());
     auto const reasons =
         file.has("trials/failure")
             ? file.named("trials/failure", field_named(fields_of<TrialRow>(), "failure").categories)
@@ -86,17 +86,17 @@ Told told_of_file(std::string const& path, Unverified const& unverified) {
             ++failures;
         }
     }
-    told.more += failed.text();
+    report.more += failed.text();
     if (auto const known = store::known_errors_of(file.integer("format_version")); !known.empty()) {
-        told.more += known.substr(1) + '\n';
+        report.more += known.substr(1) + '\n';
     }
-    told.facts = {
+    report.facts = {
         {"complete", true},
         {"edited", changed},
         {"title", file.text("title")},
         {"waves", counts_json(counted.waves(), planned)},
         {"trials", {{"counted", verdicts.size()}, {"planned", trials_of(spec, planned)}, {"failed", failures}}}};
-    return told;
+    return report;
 }
 
 std::string so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
@@ -149,7 +149,7 @@ struct Unfinished {
     bool under_way;
 };
 
-Told told_of_run(Unfinished& run, std::string const& path, std::string_view flag) {
+StatusReport report_of_run(Unfinished& run, std::string const& path, std::string_view flag) {
     auto& [input, spec, plan, shards, waves, committed, under_way] = run;
     take_rows(waves, plan, shards, committed);
     auto const left = waves.wanted(plan.count());
@@ -165,8 +165,8 @@ Told told_of_run(Unfinished& run, std::string const& path, std::string_view flag
     for (auto const block : committed) {
         done_waves += plan.waves_of_block(block).count;
     }
-    Told told{.code = resumable, .state = output::progress_text(progress)};
-    told.facts = {
+    StatusReport report{.code = resumable, .state = output::progress_text(progress)};
+    report.facts = {
         {"complete", false},
         {"title", spec.title},
         {"under_way", under_way},
@@ -177,11 +177,11 @@ Told told_of_run(Unfinished& run, std::string const& path, std::string_view flag
         {"waves_left", or_null(!left.empty(), progress.waves_left)},
         {"rare_left", progress.rare},
         {"next", or_null(!under_way, progress.next)}};
-    return told;
+    return report;
 }
 
 // A file of before stays until what extends it takes its place.
-std::optional<Told> told_of_extension(std::string const& path, bool cheap) {
+std::optional<StatusReport> report_of_extension(std::string const& path, bool cheap) {
     store::ShardFolder const unnamed(path, "");
     auto const record = unnamed.exists() ? unnamed.begun_with() : std::string();
     if (record.empty()) {
@@ -195,16 +195,16 @@ std::optional<Told> told_of_extension(std::string const& path, bool cheap) {
     if (run.committed.empty() && !run.under_way) {  // begun and refused, or killed before its first block
         return std::nullopt;
     }
-    auto told = told_of_run(run, path, "--extend");
-    told.state =
-        output::extension_text(run.plan.count(), run.spec.bodies.size(), run.spec.levels.levels.size(), told.state);
-    return told;
+    auto report = report_of_run(run, path, "--extend");
+    report.state =
+        output::extension_text(run.plan.count(), run.spec.bodies.size(), run.spec.levels.levels.size(), report.state);
+    return report;
 }
 
-Told told_of(std::string const& path, Unverified const& unverified, bool cheap) {
+StatusReport report_of(std::string const& path, Unverified const& unverified, bool cheap) {
     if (std::filesystem::exists(path)) {
-        auto file = told_of_file(path, unverified);
-        auto extension = told_of_extension(path, cheap);
+        auto file = report_of_file(path, unverified);
+        auto extension = report_of_extension(path, cheap);
         if (!extension) {
             file.facts["extension"] = nullptr;
             return file;
@@ -216,21 +216,21 @@ Told told_of(std::string const& path, Unverified const& unverified, bool cheap) 
         return file;
     }
     Unfinished run(path, begun_campaign(path), cheap);
-    auto told = told_of_run(run, path, "--resume");
-    told.more = cheap ? std::string() : so_far(run.spec, run.plan, run.shards, run.committed);
-    return told;
+    auto report = report_of_run(run, path, "--resume");
+    report.more = cheap ? std::string() : so_far(run.spec, run.plan, run.shards, run.committed);
+    return report;
 }
 
 int status(std::string const& path, Unverified const& unverified, bool json) {
-    auto const told = told_of(path, unverified, json);
+    auto const report = report_of(path, unverified, json);
     if (json) {
-        Json facts{{"file", path}, {"text", told.state}};
-        facts.update(told.facts);
+        Json facts{{"file", path}, {"text", report.state}};
+        facts.update(report.facts);
         fmt::print("{}\n", facts.dump(2, ' ', false, Json::error_handler_t::replace));
     } else {
-        fmt::print("{}: {}\n{}", path, told.state, told.more);
+        fmt::print("{}: {}\n{}", path, report.state, report.more);
     }
-    return told.code;
+    return report.code;
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 namespace overturn::cli {
 
 bool Unverified::warn_if_edited(store::ResultsReader const& file, std::string const& path) const {
-    bool const changed = wished && !file.is_as_written();
+    bool const changed = read_changed && !file.is_as_written();
     if (changed) {
         print_note(
             "overturn: {}: NOT as it was written (edited, damaged or never sealed); read as it is, with --unverified\n",

@@ -10,12 +10,13 @@ namespace overturn::cli {
 
 /// Of verbs that read a finished file: with this it is read whatever became of it since.
 struct Unverified {
-    bool wished = false;
+    bool read_changed = false;
 
     void offered_by(Verb& verb) {
-        verb.takes("--unverified", wished, "read a file that was edited or damaged since overturn wrote it, as it is");
+        verb.takes("--unverified", read_changed,
+                   "read a file that was edited or damaged since overturn wrote it, as it is");
     }
-    [[nodiscard]] store::Trust trust() const { return wished ? store::Trust::unverified : store::Trust::sealed; }
+    [[nodiscard]] store::Trust trust() const { return read_changed ? store::Trust::unverified : store::Trust::sealed; }
     /// Says that a file is not as it was written, and that what follows is read from it as it is.
     /// \return whether it was changed
     [[nodiscard]] bool warn_if_edited(store::ResultsReader const& file, std::string const& path) const;

@@ -11,9 +11,9 @@ constexpr char next_fault = '\x1e';  // ASCII's record separator, which no text 
 /// "c.toml:3:1: waves.count: missing", which no other fault begins with.
 std::string_view head_of(std::string_view text) { return text.substr(0, text.find(" (")); }
 
-bool speaks_of(std::string_view told, Fault const& fault) {
+bool speaks_of(std::string_view reported, Fault const& fault) {
     bool const of_place = !fault.missing && fault.where.line > 0;
-    return told.starts_with(head_of(fault.text)) || (of_place && told.starts_with(fault.where.prefix()));
+    return reported.starts_with(head_of(fault.text)) || (of_place && reported.starts_with(fault.where.prefix()));
 }
 
 }  // namespace
@@ -39,15 +39,15 @@ std::vector<std::string> faults_of(std::string_view message) {
 }
 
 std::string with_further_faults(std::string_view first, Table const& table) {
-    auto told = faults_of(first);
-    auto const already = told.size();
+    auto reported = faults_of(first);
+    auto const already = reported.size();
     for (auto& fault : table.faults()) {
-        auto const end = told.begin() + already;
-        if (std::none_of(told.begin(), end, [&](std::string const& one) { return speaks_of(one, fault); })) {
-            told.push_back(std::move(fault.text));
+        auto const end = reported.begin() + already;
+        if (std::none_of(reported.begin(), end, [&](std::string const& one) { return speaks_of(one, fault); })) {
+            reported.push_back(std::move(fault.text));
         }
     }
-    return joined_faults(told);
+    return joined_faults(reported);
 }
 
 void FaultGatherer::add(std::string_view message) {

@@ -261,8 +261,8 @@ std::optional<double> degrees_between(ComponentName const& one, ComponentName co
 
 bool may_be_one(ComponentName const& one, ComponentName const& other) {
     constexpr double apart_deg = 45;
-    bool const told = one.direction != Direction::unknown && other.direction != Direction::unknown;
-    return !told
+    bool const both_known = one.direction != Direction::unknown && other.direction != Direction::unknown;
+    return !both_known
            || (is_vertical(one.direction) == is_vertical(other.direction)
                && degrees_between(one, other).value_or(0) < apart_deg);
 }

@@ -28,11 +28,12 @@ std::string ends_text(Interval const& interval, IntensityUnit const& unit = {}) 
 }
 
 std::string measure_text(MeasuredFragility const& m) {
-    return m.told.symbol == "1" ? m.label : fmt::format("{} {}", m.label, m.told.symbol);
+    return m.shown_in.symbol == "1" ? m.label : fmt::format("{} {}", m.label, m.shown_in.symbol);
 }
 
 std::string point_text(MeasuredFragility const& m, std::optional<double> const& intensity) {
-    return intensity ? fmt::format("{:.{}g}", rounded_down(m.told.of(*intensity), digits), digits) : std::string("-");
+    return intensity ? fmt::format("{:.{}g}", rounded_down(m.shown_in.of(*intensity), digits), digits)
+                     : std::string("-");
 }
 
 std::string fit_line(MeasuredFragility const& m) {
@@ -44,7 +45,7 @@ std::string fit_line(MeasuredFragility const& m) {
     auto const& line = *m.fit.line;
     auto const& ends = m.fit.intervals();
     return fmt::format("{:>20} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>9} {:>8} {:>9}  {:>5}  {}\n", measure_text(m),
-                       m.told.of(std::exp(line.log_median())), ends_text(ends.median, m.told), line.beta(),
+                       m.shown_in.of(std::exp(line.log_median())), ends_text(ends.median, m.shown_in), line.beta(),
                        ends_text(ends.beta), point_text(m, m.fit.five_percent_point()), point_text(m, m.fit.hclpf()),
                        point_text(m, m.fit.one_percent_point()), rank,
                        fmt::join(names_of(m.fit.flags, m.fit.passing), " "));
@@ -116,7 +117,7 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
         }
     }
     // What is said of the first, over the levels, mostly holds for the others; their flags stand in their lines.
-    for (auto const& warning : warnings_of(fits.front().fit, fits.front().told, confidence)) {
+    for (auto const& warning : warnings_of(fits.front().fit, fits.front().shown_in, confidence)) {
         text += fmt::format("  note: {}\n", warning);
     }
     return text;

@@ -20,7 +20,7 @@ Json warnings_json(std::string const& body, std::span<MeasuredFragility const> f
                    WarningUnits units) {
     auto list = Json::array();
     for (auto const& fit : fits) {
-        auto const unit = units == WarningUnits::si ? IntensityUnit{fit.units} : fit.told;
+        auto const unit = units == WarningUnits::si ? IntensityUnit{fit.units} : fit.shown_in;
         for (auto const& text : warnings_of(fit.fit, unit, confidence)) {
             list.push_back({{"body", body}, {"limit", fit.limit}, {"measure", fit.name}, {"text", text}});
         }

@@ -23,7 +23,7 @@ std::string median_end(double value) { return std::isfinite(value) ? fmt::format
 
 // An amplitude that the body withstands, rounded down.
 std::string withstood_text(MeasuredFragility const& curve, double intensity) {
-    return curve.told.text(curve.told.si * rounded_down(curve.told.of(intensity), headline_digits));
+    return curve.shown_in.text(curve.shown_in.si * rounded_down(curve.shown_in.of(intensity), headline_digits));
 }
 
 std::string basis_text(Answered const& of, std::size_t body, std::size_t limit) {
@@ -44,15 +44,15 @@ std::string basis_text(Answered const& of, std::size_t body, std::size_t limit) 
 std::string curve_words(MeasuredFragility const& curve, double confidence) {
     auto const& fit = curve.fit;
     if (!fit.identifiable()) {
-        auto const why = warnings_of(fit, curve.told, confidence);
+        auto const why = warnings_of(fit, curve.shown_in, confidence);
         return why.empty() ? "no curve: " + name_of(fit.state, fit.passing) : why.front();
     }
     auto const& ends = fit.intervals().median;
     auto text = fmt::format("half {} at {} ({} to {}), beta {:.2g}",
                             fit.passing == Passing::exceeded ? "exceed it" : "overturn",
-                            curve.told.text(std::exp(fit.line->log_median())),
-                            median_end(rounded_down(curve.told.of(ends.lower), headline_digits)),
-                            median_end(rounded_up(curve.told.of(ends.upper), headline_digits)), fit.line->beta());
+                            curve.shown_in.text(std::exp(fit.line->log_median())),
+                            median_end(rounded_down(curve.shown_in.of(ends.lower), headline_digits)),
+                            median_end(rounded_up(curve.shown_in.of(ends.upper), headline_digits)), fit.line->beta());
     auto const five = fit.five_percent_point();
     text += five ? ", 5 % point " + withstood_text(curve, *five) : ", no 5 % point";
     if (auto const hclpf = fit.hclpf()) {
@@ -86,10 +86,11 @@ std::string grid_passed(GridMap const& map, std::size_t limit) {
         }
     }
     if (first == nullptr) {
-        return fmt::format("{} at no frequency up to {}", what, map.told.text(map.levels.back()));
+        return fmt::format("{} at no frequency up to {}", what, map.shown_in.text(map.levels.back()));
     }
     return fmt::format("{} from {} on at {:.3g} Hz, at {} of {} frequencies in all", what,
-                       map.told.text(map.value(first->least[limit])), 1 / first->period_s, passed, map.lines.size());
+                       map.shown_in.text(map.value(first->least[limit])), 1 / first->period_s, passed,
+                       map.lines.size());
 }
 
 std::string grid_headline(BodyAnalysis const& body) {

@@ -20,9 +20,9 @@ std::vector<std::string> unknown_names_text(store::ResultsReader const& file) {
                                      name, trials, trials == 1 ? "" : "s"));
     }
     std::vector<std::string> lines;
-    for (auto const& told : {verdicts, models}) {
-        if (!told.empty()) {
-            lines.push_back(fmt::format("{}", fmt::join(told, "; ")));
+    for (auto const& group : {verdicts, models}) {
+        if (!group.empty()) {
+            lines.push_back(fmt::format("{}", fmt::join(group, "; ")));
         }
     }
     return lines;

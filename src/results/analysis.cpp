@@ -185,7 +185,7 @@ class Analyst {
         result.label = label_of(measure, spec_);
         result.title = title_of(measure, spec_);
         result.units = units_of(measure, spec_.levels);
-        result.told = printed_unit(result.units, spec_.levels);
+        result.shown_in = printed_unit(result.units, spec_.levels);
         if (is_grid_) {
             result.fit.state = FragilityState::grid;
             result.fit.passing = spec_.limits[limit].passing();
@@ -231,7 +231,7 @@ std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& st
 void tell_velocities(std::vector<BodyAnalysis>& bodies, std::optional<IntensityUnit> const& unit) {
     auto const tell = [&](std::vector<MeasuredFragility>& fits) {
         for (auto& fit : fits) {
-            fit.told = unit && fit.units == "m/s" ? *unit : fit.told;
+            fit.shown_in = unit && fit.units == "m/s" ? *unit : fit.shown_in;
         }
     };
     for (auto& body : bodies) {

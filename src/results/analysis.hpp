@@ -27,7 +27,7 @@ struct MeasuredFragility {
     std::string label;       ///< the same, for people
     std::string title;       ///< the same, on axes of figures
     std::string units;       ///< of the measure, SI
-    IntensityUnit told;      ///< what it is printed in: the levels' unit where that measures the same
+    IntensityUnit shown_in;  ///< what it is printed in: the levels' unit where that measures the same
     std::string quote_base;  ///< what quoted multiples are of: "design-basis", "v_ereq"; empty without quotes
     bool of_levels = true;   ///< over the levels' own measure: over others it depends on which levels were run
     FragilityFit fit;

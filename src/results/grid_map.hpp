@@ -36,7 +36,7 @@ struct GridLine {
 /// All of them of one body.
 struct GridMap {
     std::string measure;              ///< of the levels
-    IntensityUnit told;               ///< in which levels were written
+    IntensityUnit shown_in;           ///< in which levels were written
     std::vector<double> levels;       ///< [SI]
     std::vector<std::string> limits;  ///< names of the limit states, overturning first
     std::vector<GridLine> lines;      ///< in the order of the waves

@@ -187,40 +187,40 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
 }
 
 OutputState claim_output(std::filesystem::path const& output, store::ShardFolder const& shards,
-                         CampaignInput const& input, Plan const& plan, OutputRequest const& wish,
+                         CampaignInput const& input, Plan const& plan, OutputRequest const& request,
                          std::optional<store::Claim>& claim) {
     validate(!std::filesystem::is_directory(output), "output {} (is a folder). Name a file with -o", output.string());
     validate(!std::filesystem::exists(output) || std::filesystem::is_regular_file(output),
              "output {} (is no file that could hold results). Name another with -o", output.string());
-    bool const extends = wish.extend && can_be_extended(output, input) && !is_same_campaign(output, input);
+    bool const extends = request.extend && can_be_extended(output, input) && !is_same_campaign(output, input);
     auto const refuse_taken = [&] {
-        validate(wish.resume || !std::filesystem::exists(output),
+        validate(request.resume || !std::filesystem::exists(output),
                  "output {} (is there already and would be lost). Remove it, or name another with -o", output.string());
     };
     refuse_taken();
     if (extends || !std::filesystem::exists(output)) {
         store::require_writable(output);
-        claim.emplace(shards.folder(), claimed(plan, wish.part));
+        claim.emplace(shards.folder(), claimed(plan, request.part));
     }
     refuse_taken();  // another run may have finished meanwhile
     if (std::filesystem::exists(output) && (!extends || is_same_campaign(output, input))) {
         check_complete(output, input, claim.has_value());
         return {.complete = true};
     }
-    auto const begun = sound_record(shards, input, wish.resume);
+    auto const begun = sound_record(shards, input, request.resume);
     bool taken_over = false;
     if (!begun) {
-        validate(wish.resume || !shards.holds_blocks() || begun_there(shards),
+        validate(request.resume || !shards.holds_blocks() || begun_there(shards),
                  "{} (blocks of an unfinished run lie there). Go on with --resume, or remove it",
                  shards.folder().string());
         begin(shards, input);
     } else {
-        validate(wish.resume || !wish.part.is_whole(),
+        validate(request.resume || !request.part.is_whole(),
                  "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
-        taken_over = take_over(shards, *begun, input, wish.part);
+        taken_over = take_over(shards, *begun, input, request.part);
     }
-    shards.remove_unfinished(plan.blocks_of(wish.part));
-    bool const keeps = wish.part.is_whole() && (extends || !shards.aside().empty());
+    shards.remove_unfinished(plan.blocks_of(request.part));
+    bool const keeps = request.part.is_whole() && (extends || !shards.aside().empty());
     return {.begun = begun.has_value() && !taken_over, .keeps = keeps};
 }
 
@@ -242,9 +242,9 @@ void require_shared(store::ShardFolder const& shards, std::string const& key, pa
 }
 
 std::vector<std::int64_t> take_blocks(std::filesystem::path const& output, store::ShardFolder const& shards,
-                                      Plan const& plan, OutputRequest const& wish, bool begun,
+                                      Plan const& plan, OutputRequest const& request, bool begun,
                                       parallel::Communicator const& comm) {
-    auto const range = plan.blocks_of(wish.part);
+    auto const range = plan.blocks_of(request.part);
     auto const place = [&](int rank) { return range.first + range.count() * rank / comm.size(); };
     std::vector<std::string> notes;
     nlohmann::json mine;
@@ -275,15 +275,15 @@ std::vector<std::int64_t> take_blocks(std::filesystem::path const& output, store
                                        for (auto const& line : told) {
                                            write_note(line + "\n");
                                        }
-                                       validate(wish.resume || committed.empty(),
+                                       validate(request.resume || committed.empty(),
                                                 "{}: part {}/{} (has been begun there). Go on with --resume",
-                                                shards.folder().string(), wish.part.number, wish.part.of);
-                                       if (wish.resume && (begun || !committed.empty())) {
+                                                shards.folder().string(), request.part.number, request.part.of);
+                                       if (request.resume && (begun || !committed.empty())) {
                                            print_note("resuming {}: {} of {} blocks are done, {} are left\n",
                                                       output.string(), committed.size(), range.count(),
                                                       range.count() - std::ssize(committed));
                                        }
-                                       warn_of_little_space(output, plan, wish.part, committed);
+                                       warn_of_little_space(output, plan, request.part, committed);
                                        return nlohmann::json(committed).dump();
                                    }))
         .get<std::vector<std::int64_t>>();

@@ -33,7 +33,7 @@ struct OutputRequest {
 /// one campaign share the folder. \param claim holds the blocks from here on \throws InputError if something is there
 /// and `resume` is off, it belongs to another campaign, or another run is writing there
 [[nodiscard]] OutputState claim_output(std::filesystem::path const& output, store::ShardFolder const& shards,
-                                       CampaignInput const& input, Plan const& plan, OutputRequest const& wish,
+                                       CampaignInput const& input, Plan const& plan, OutputRequest const& request,
                                        std::optional<store::Claim>& claim);
 
 /// Every rank writes, so every node has to see the folder. Collective. \throws InputError on every rank if one does not
@@ -44,7 +44,7 @@ void require_shared(store::ShardFolder const& shards, std::string const& key, pa
 /// \throws InputError on every rank if there are some and `resume` is off, CollectiveError if they cannot be listed
 [[nodiscard]] std::vector<std::int64_t> take_blocks(std::filesystem::path const& output,
                                                     store::ShardFolder const& shards, Plan const& plan,
-                                                    OutputRequest const& wish, bool begun,
+                                                    OutputRequest const& request, bool begun,
                                                     parallel::Communicator const& comm);
 
 /// One line on stderr where the disk has less room than what is still to be written: blocks, and the file that they are

@@ -70,9 +70,9 @@ class Run {
                  options_.part.number, options_.part.of);
         validate(!options_.extend || options_.part.is_whole(),
                  "--extend beside --part (one run extends). Leave one out");
-        OutputRequest const wish{options_.resume || options_.extend, options_.extend, options_.part};
+        OutputRequest const request{options_.resume || options_.extend, options_.extend, options_.part};
         auto const found = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
-            auto const state = claim_output(options_.output, shards_, input_, plan_, wish, claim_);
+            auto const state = claim_output(options_.output, shards_, input_, plan_, request, claim_);
             auto const kept =
                 state.keeps ? take_known_blocks(options_.output, input_, spec_, plan_, shards_) : KeptPlaces{};
             if (state.keeps) {
@@ -93,7 +93,7 @@ class Run {
         require_shared(shards_, input_.block_key(), comm_);
         spec_.source->prepare(parallel::rows_of_ranks(comm_));
         kept_ = kept_rows(found.at("kept").get<std::string>(), spec_, plan_);
-        committed_ = take_blocks(options_.output, shards_, plan_, wish, found.at("begun").get<bool>(), comm_);
+        committed_ = take_blocks(options_.output, shards_, plan_, request, found.at("begun").get<bool>(), comm_);
         if (comm_.is_root()) {
             print_note("waves: {}\n", spec_.source->text());
             print_note("they differ by {}\n", spec_.source->about().variability);

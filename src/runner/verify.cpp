@@ -39,7 +39,7 @@ struct Place {
 
 class Verifier {
   public:
-    Verifier(store::ResultsReader const& file, CampaignSpec const& spec, VerifyRequest const& wish)
+    Verifier(store::ResultsReader const& file, CampaignSpec const& spec, VerifyRequest const& request)
         : file_(file),
           spec_(spec),
           selector_(spec.effects, spec.accuracy),
@@ -54,7 +54,7 @@ class Verifier {
                 rare_names_.push_back(rare_group(spec, b, l));
             }
         }
-        draw(wish);
+        draw(request);
     }
 
     [[nodiscard]] std::int64_t units() const { return units_.size() + rare_rows_.size(); }
@@ -81,15 +81,15 @@ class Verifier {
         std::int64_t row;
     };
 
-    void draw(VerifyRequest const& wish) {
+    void draw(VerifyRequest const& request) {
         std::int64_t all = trials_;
         for (auto const& replayer : rare_) {
             all += replayer->rows();
         }
-        validate(!wish.sample || (*wish.sample >= 1 && *wish.sample <= all),
+        validate(!request.sample || (*request.sample >= 1 && *request.sample <= all),
                  "--sample {} (the file has {} rows of trials). Choose from 1 to {}, or leave it out for all",
-                 wish.sample.value_or(0), all, all);
-        if (!wish.sample) {
+                 request.sample.value_or(0), all, all);
+        if (!request.sample) {
             for (std::int64_t first = 0; first < waves_; first += plan_.block_size()) {
                 units_.push_back({first, std::min(plan_.block_size(), waves_ - first), {}});
             }
@@ -101,8 +101,8 @@ class Verifier {
         std::vector<std::int64_t> rows(all);
         std::iota(rows.begin(), rows.end(), 0);
         std::vector<std::int64_t> drawn;
-        std::mt19937_64 random(wish.seed);
-        std::ranges::sample(rows, std::back_inserter(drawn), *wish.sample, random);
+        std::mt19937_64 random(request.seed);
+        std::ranges::sample(rows, std::back_inserter(drawn), *request.sample, random);
         for (auto const row : drawn) {
             if (row >= trials_) {
                 add_rare(row - trials_);
@@ -244,14 +244,14 @@ Verified together(std::vector<std::string> const& ranks) {
 
 }  // namespace
 
-Verified verify_rows(store::ResultsReader const& file, CampaignSpec const& spec, VerifyRequest const& wish,
+Verified verify_rows(store::ResultsReader const& file, CampaignSpec const& spec, VerifyRequest const& request,
                      parallel::Communicator const& comm) {
-    Verifier verifier(file, spec, wish);
+    Verifier verifier(file, spec, request);
     spec.source->prepare(parallel::rows_of_ranks(comm));
     {
         parallel::SharedCounter given(comm);
         parallel::SharedCounter done(comm);
-        Progress progress(verifier.units(), 0, 0, wish.sample ? "waves" : "blocks");
+        Progress progress(verifier.units(), 0, 0, request.sample ? "waves" : "blocks");
         auto const show = [&] {
             if (comm.is_root() && progress.is_due()) {
                 progress.show(done.look());

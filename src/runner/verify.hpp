@@ -21,6 +21,6 @@ struct VerifyRequest {
 /// rank 0 alone.
 /// \throws InputError if more rows are to be drawn than there are
 [[nodiscard]] Verified verify_rows(store::ResultsReader const& file, CampaignSpec const& spec,
-                                   VerifyRequest const& wish, parallel::Communicator const& comm);
+                                   VerifyRequest const& request, parallel::Communicator const& comm);
 
 }  // namespace overturn

@@ -67,13 +67,13 @@ std::optional<double> unit_of_times(TableColumns const& columns, Claims const& c
 }
 
 std::vector<std::string> telling_names(TableColumns const& columns) {
-    std::vector<std::string> told;
+    std::vector<std::string> names;
     for (auto const& [column, role] : columns.motions) {
         if (columns.names_line > 0 && tells_other_values(role.name)) {
-            told.push_back(fmt::format("line {}: {}", columns.names_line, in_quotes(role.name)));
+            names.push_back(fmt::format("line {}: {}", columns.names_line, in_quotes(role.name)));
         }
     }
-    return told;
+    return names;
 }
 
 namespace {

@@ -56,7 +56,7 @@ std::string percentiles_text(LevelQuantiles const* at, double unit, double least
 std::string hclpf_text(MeasuredFragility const& curve) {
     auto const& fit = curve.fit;
     auto const text = [&](double intensity) {
-        return curve.told.text(curve.told.si * rounded_down(curve.told.of(intensity)));
+        return curve.shown_in.text(curve.shown_in.si * rounded_down(curve.shown_in.of(intensity)));
     };
     if (!fit.identifiable()) {
         return fmt::format("no curve ({})", curve_state(fit));

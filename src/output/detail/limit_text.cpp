@@ -94,10 +94,10 @@ std::string quantiles_text(BodyAnalysis const& body, double confidence) {
                 "  {}{} of the trials, with {:g} % intervals between order statistics\n  {:>10} {:>28} "
                 "{:>28} {:>28}\n",
                 quantity, at.units == "1" ? "" : " " + at.units, 100 * confidence,
-                fmt::format("{} {}", levels.name, levels.told.symbol), "median", "84 %", "95 %");
+                fmt::format("{} {}", levels.name, levels.shown_in.symbol), "median", "84 %", "95 %");
         }
-        text += at.trials == 0 ? fmt::format("  {:>10.4g} unknown\n", levels.told.of(at.amplitude))
-                               : fmt::format("  {:>10.4g} {:>28} {:>28} {:>28}{}\n", levels.told.of(at.amplitude),
+        text += at.trials == 0 ? fmt::format("  {:>10.4g} unknown\n", levels.shown_in.of(at.amplitude))
+                               : fmt::format("  {:>10.4g} {:>28} {:>28} {:>28}{}\n", levels.shown_in.of(at.amplitude),
                                              quantile_text(at, at.quantiles[0]), quantile_text(at, at.quantiles[1]),
                                              quantile_text(at, at.quantiles[2]),
                                              at.unknown > 0 ? fmt::format("  {} unknown", at.unknown) : std::string());

@@ -18,8 +18,8 @@ std::string curve_text(double least, double p) {
 }
 
 std::string where_text(MeasuredFragility const& m, SeenBound const& seen) {
-    return seen.from == seen.to ? m.told.text(seen.from)
-                                : fmt::format("{:.4g} to {}", m.told.of(seen.from), m.told.text(seen.to));
+    return seen.from == seen.to ? m.shown_in.text(seen.from)
+                                : fmt::format("{:.4g} to {}", m.shown_in.of(seen.from), m.shown_in.text(seen.to));
 }
 
 std::string below_least_text(QuotedProbability const& q) {
@@ -67,7 +67,7 @@ std::string neighbours_text(MeasuredFragility const& m, Neighbours const& n) {
 // What was seen right there, and next above where nothing was either.
 std::string stripe_text(MeasuredFragility const& m, QuotedProbability const& q) {
     auto const more = q.pooled ? fmt::format(", {:g} of {:g} up to {}", q.pooled->overturned, q.pooled->units,
-                                             m.told.text(q.pooled->to))
+                                             m.shown_in.text(q.pooled->to))
                                : std::string();
     return fmt::format(", {:g} of {:g} seen there{}", q.overturned, q.trials, more);
 }
@@ -91,7 +91,7 @@ std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
     using Source = QuotedProbability::Source;
     auto const at = m.quote_base == "v_ereq" ? std::string("V_WES = V_Ereq")
                                              : fmt::format("{:.3g} x design basis, {} {}", q.quote.multiple, m.name,
-                                                           m.told.text(q.quote.intensity));
+                                                           m.shown_in.text(q.quote.intensity));
     if (q.curve && !q.probability && q.source != Source::neighbours) {
         return fmt::format("  P at {}: {}\n", at, bound_text(m, q));
     }
