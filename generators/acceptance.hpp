@@ -14,7 +14,7 @@
 
 namespace overturn {
 
-/// What a rule asks of a wave; a limit that it does not set is infinite.
+/// The limits that a rule sets on a wave; a limit that it does not set is infinite or 0.
 struct AcceptanceRule {
     double largest_time_step_s = std::numeric_limits<double>::infinity();
     double shortest_duration_s = 0;
@@ -29,7 +29,7 @@ struct AcceptanceRule {
     [[nodiscard]] bool enabled() const { return lowest_ratio > 0; }
 };
 
-/// How waves are held to a rule.
+/// The rule of a campaign, and the use of waves that miss it.
 struct Acceptance {
     std::string rule = "none";
     std::int64_t most_drawn = 1;  ///< so many waves are drawn at most for each one that is asked for
@@ -67,7 +67,7 @@ struct Clause {
 
 /// Names of all clauses there can be, in the order of the bits of failed_clauses.
 [[nodiscard]] std::vector<std::string> clause_names();
-/// What to do where waves miss one, in the same order.
+/// Advice for waves that miss a clause, in the same order.
 [[nodiscard]] std::vector<std::string> clause_remedies();
 /// Bit n: the clause called clause_names()[n] is among `clauses` and did not pass.
 [[nodiscard]] std::int64_t failed_clauses(std::span<Clause const> clauses);
@@ -75,7 +75,7 @@ struct Clause {
 /// Largest mean misfit over [T0, T1] and over any decade.
 inline constexpr double largest_band_misfit = 0.05;
 
-/// What is known of one component's match.
+/// The figures of one component's match that the clauses on a spectrum need.
 struct MatchFacts {
     MatchFigures figures;        ///< over all judged periods
     double worst_decade = 0;     ///< worst_decade_misfit
@@ -86,7 +86,7 @@ struct MatchFacts {
 /// The clauses on a spectrum.
 [[nodiscard]] std::vector<Clause> spectrum_clauses(AcceptanceRule const& rule, MatchFacts const& facts);
 
-/// What is known of the wave besides its spectrum.
+/// The figures of a wave, besides its spectrum, that the clauses on a wave need.
 struct WaveFacts {
     double time_step_s = 0;
     double duration_s = 0;

@@ -1,4 +1,4 @@
-/// What a wave's own target is, where targets vary.
+/// The target of one wave, where targets vary.
 #pragma once
 
 #include <array>
@@ -14,13 +14,13 @@ inline constexpr std::array epsilon_periods_s{0.1, 0.2, 0.5, 1.0, 2.0, 3.0, 4.0,
 /// Deviations at these, in standard deviations.
 using Epsilons = std::array<double, epsilon_periods_s.size()>;
 
-/// What was drawn for a wave.
+/// The target drawn for a wave.
 struct DrawnTarget {
     std::uint64_t number = 0;  ///< waves of one number share a target
     std::uint64_t event = 0;   ///< targets of one event share its part
     Epsilons epsilon{};        ///< of ln Sa above the median
-    /// Where both are stated: the event's part of it and the target's own, each in standard deviations of its own,
-    /// sigma epsilon = between epsilon_between + within epsilon_within. Else 0: no condition is stated beside them.
+    /// The event's part and the target's part, where both are stated, each in its own standard deviations: sigma
+    /// epsilon = between epsilon_between + within epsilon_within. Else 0: no condition is stated beside them.
     Epsilons epsilon_between{}, epsilon_within{};
     SpectrumShape shape;  ///< drawn over median
 };

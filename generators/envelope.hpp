@@ -1,4 +1,4 @@
-/// How the strength of an artificial wave grows and fades.
+/// Envelopes of artificial waves: strength over time.
 #pragma once
 
 #include <cstddef>
@@ -38,7 +38,7 @@ struct Envelope {
     [[nodiscard]] std::vector<double> samples(double time_step_s, std::size_t count) const;
 };
 
-/// What may be stated of an envelope.
+/// Keys of an envelope.
 extern config::KeyTable const envelope_table;
 
 /// Calls finish(). \throws InputError unless 0 < rise <= level_end < end <= duration, 0 < peak <= duration and gamma >

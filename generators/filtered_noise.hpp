@@ -22,7 +22,7 @@ struct GroundFilter {
     [[nodiscard]] double integral_radps() const;
 };
 
-/// What [waves] may state of it.
+/// Its keys in [waves].
 extern config::KeyTable const filtered_noise_table;
 
 /// A density of points is straight between them and nothing outside. Lines above the Nyquist frequency are left out,

@@ -7,7 +7,7 @@
 
 namespace overturn {
 
-/// What [waves] may state of them.
+/// Their keys in [waves].
 extern config::KeyTable const harmonic_table;
 
 /// a(t) = amplitude sin(2 pi f t), the n-th wave of the n-th frequency or period. The ramp grows and fades linearly.

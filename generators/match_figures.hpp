@@ -1,4 +1,4 @@
-/// How well a wave's spectrum follows its target, in the figures that standards ask for.
+/// Figures of the match of a wave's spectrum to its target, as standards define them.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace overturn {
 
-/// How computed/target is spread over periods in equal ratios; all 0 where there is nothing to compare.
+/// Statistics of computed/target over periods in equal ratios; all 0 where there is nothing to compare.
 struct MatchFigures {
     double mean_misfit = 0;          ///< mean |ratio - 1| [-]
     double max_misfit = 0;           ///< largest |ratio - 1| [-]

@@ -12,7 +12,7 @@ namespace overturn {
 /// Independent standard normals give waves that are distributed as the source's own. Pure.
 class NormalWaves {
   public:
-    /// Where the horizontal acceleration is envelope(t) sum_k S_k Re[(x_{2k-2} + i x_{2k-1}) exp(i w_k t)] less a
+    /// A map whose horizontal acceleration is envelope(t) sum_k S_k Re[(x_{2k-2} + i x_{2k-1}) exp(i w_k t)] less a
     /// baseline, k = 1, 2, ..., w_k = k spacing.
     struct LinearLines {
         std::size_t count = 0;

@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// What [waves] may state of them.
+/// Their keys in [waves].
 extern config::KeyTable const pulse_table;
 
 /// The n-th wave is of the n-th period. The time step is shortened so that samples hit the pulse's ends and peaks.

@@ -12,7 +12,7 @@ namespace overturn {
 /// The one shape that has parameters.
 inline constexpr char const* parametric_pulse = "mavroeidis-papageorgiou";
 
-/// What `mavroeidis-papageorgiou` is told beside its period; the other shapes have nothing of it.
+/// Parameters of `mavroeidis-papageorgiou` besides its period; the other shapes ignore them.
 struct PulseParameters {
     double gamma = 2;      ///< how many periods it lasts, above 1
     double phase_rad = 0;  ///< nu

@@ -7,7 +7,7 @@
 
 namespace overturn {
 
-/// What [waves] may state of them.
+/// Their keys in [waves].
 extern config::KeyTable const spectrum_compatible_table;
 
 /// The misfit that a match ends with is the mean one over all periods, and over any decade of them. Measured motions

@@ -1,4 +1,4 @@
-/// What a motion is like, target or none: how long it shakes, where it ends, how its components hang together.
+/// Figures of a motion that need no target: duration, residuals, correlation of its components.
 #pragma once
 
 #include "motion/ground_motion.hpp"

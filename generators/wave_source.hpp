@@ -1,4 +1,4 @@
-/// Where waves come from: every source makes its n-th wave from (seed, n) alone.
+/// Sources of waves: every source makes its n-th wave from (seed, n) alone.
 #pragma once
 
 #include <cstdint>
@@ -55,7 +55,7 @@ struct ComparedPeriods {
     double from_s = 0, to_s = 0;
 };
 
-/// What standard deviation the ln of drawn targets has, where waves are matched to them.
+/// Standard deviation of ln Sa of the drawn targets, where waves are matched to them.
 struct StatedSigma {
     ComparedPeriods matched;                    ///< shortest and longest period of the match
     std::function<double(double period_s)> at;  ///< of ln Sa at a period of the waves, as conditions leave it
@@ -67,19 +67,19 @@ struct MeasuredWave {
     Drift drift;       ///< how it ends
 };
 
-/// What is known of a source's waves before any is made.
+/// Facts of a source that are known before any wave is made.
 struct WaveDescription {
     std::string text;         ///< one line on what it makes, but for what WaveSource::text adds
     std::string variability;  ///< what makes its waves differ, in a line that goes beside every curve drawn from them
     std::optional<std::uint64_t> available = {};  ///< how many different waves there are; nothing: as many as one likes
-    /// Of a source whose n-th wave is the n-th point of a grid of periods: these [s]. Its waves are no random sample,
-    /// so that shares of them are no probabilities. Empty of all others.
+    /// Periods of a grid [s], for a source whose n-th wave is the grid's n-th point; empty for all others. Such waves
+    /// are no random sample, so that shares of them are no probabilities.
     std::vector<double> grid_periods_s = {};
     Acceptance acceptance = {};  ///< the rule its waves must meet; without one any will do
     bool draws_targets = false;  ///< has every wave a target of its own (GeneratedWave::drawn)?
     bool draws_events = false;   ///< is stated what targets of one event share (DrawnTarget::epsilon_between)?
-    /// Of a source whose waves are each matched to the Sa that was drawn for it, and hold nothing else. Asked while the
-    /// source lives.
+    /// Stated standard deviation, for a source whose waves are each matched to the Sa drawn for it and hold nothing
+    /// else. Valid while the source lives.
     std::optional<StatedSigma> stated_sigma = {};
     /// Are all waves of one spectrum or density, matched to it or not, so that chance phases alone tell them apart?
     /// Their trials cannot tell which measure of intensity is the better one among motions of several events and sites.
@@ -120,9 +120,9 @@ class WaveSource {
     /// waves to see.
     [[nodiscard]] virtual std::string pgd_drift() const { return {}; }
 
-    /// How a measured wave ends; nothing of waves that were not measured. \throws InputError as make
+    /// Residuals at the end of a measured wave; empty for waves that were not measured. \throws InputError as make
     [[nodiscard]] std::optional<Drift> drift(std::uint64_t wave) const;
-    /// What the campaign calls a measured wave; empty of all others. \throws InputError as make
+    /// The campaign's name of a measured wave; empty for all others. \throws InputError as make
     [[nodiscard]] std::string name(std::uint64_t wave) const;
     /// The measured motion that the match of a wave began with; null of all others.
     [[nodiscard]] GroundMotion const* began_with(std::uint64_t wave) const;
@@ -137,8 +137,8 @@ class WaveSource {
     WaveDescription about_;
 };
 
-/// What makes a source from the [waves] table. It reads its own keys and finishes its own child tables; finishing
-/// [waves] is its caller's.
+/// Function that makes a source from the [waves] table. It reads its own keys and finishes its own child tables; its
+/// caller finishes [waves].
 using WaveSourceMaker = std::unique_ptr<WaveSource> (*)(config::Table const& waves, InputFiles& files);
 
 /// A kind of source, and what [waves] may state of it.
@@ -147,7 +147,7 @@ struct WaveSourceKind {
     config::KeyTable const* keys;
 };
 [[nodiscard]] std::span<config::Entry<WaveSourceKind> const> wave_sources();
-/// What [waves] may be: one table for each source.
+/// The possible tables [waves]: one for each source.
 [[nodiscard]] std::vector<config::KeyTable const*> wave_tables();
 
 /// Keys of [waves] that every source has.

@@ -32,7 +32,7 @@ struct FurtherTarget {
     std::optional<double> correlation;
 };
 
-/// What the campaign says about all components alike.
+/// Settings that are common to all components.
 struct CompatibleRequest {
     SpectrumMatcherInput input;
     Match match = Match::each;

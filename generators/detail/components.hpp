@@ -13,7 +13,7 @@
 
 namespace overturn {
 
-/// What its table of [waves] is called, where its motion goes, which streams it draws from.
+/// Name of the component's table in [waves], its place in the motion, and the number of its random stream.
 struct FurtherComponent {
     char const* name;
     std::vector<double> GroundMotion::*place;
@@ -45,7 +45,7 @@ inline constexpr config::Key vertical_key = config::table_key<table>("vertical",
     return table.maybe_number(correlation_key);
 }
 
-/// Of two draws of the same power, their mixture that is correlated so with the first: Cholesky's factor, line by line.
+/// Mixture of two draws of equal power that has the given correlation with the first (Cholesky factor, line by line).
 template <class Lines> [[nodiscard]] Lines correlated(Lines const& first, Lines own, double correlation) {
     double const rest = std::sqrt(1 - correlation * correlation);
     for (std::size_t k = 0; k < own.size(); ++k) {

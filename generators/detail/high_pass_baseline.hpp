@@ -9,11 +9,11 @@
 
 namespace overturn {
 
-/// What is slower than twice the longest period that a wave is drawn for is nobody's wish: the skirts of its lines
-/// under the envelope, and what brings it to rest. It is some 0.01 m/s2, and most of the displacement. Taken off is
+/// Removes motion slower than twice the longest period that a wave is drawn for: the skirts of its lines under the
+/// envelope, and the correction that brings it to rest. It is some 0.01 m/s2, and most of the displacement. Removed is
 /// g''(t), with g(t) the displacement behind a zero-phase Butterworth low-pass of order 4, 1 / (1 + (f / corner)^8),
-/// the complement of what records are high-passed by. The displacement is continued evenly beyond both ends (a cosine
-/// series: no pads), and g is the nearest to it for which g and g'' vanish there too; g' does in every cosine.
+/// the complement of the high-pass filter of records. The displacement is continued evenly beyond both ends (a cosine
+/// series: no pads). g is the nearest to it for which g and g'' vanish there too; g' does in every cosine.
 class HighPassBaseline {
   public:
     /// \param longest_s period [s] that stays, by 0.4 % of its displacement; the corner lies at twice that
@@ -36,7 +36,7 @@ class HighPassBaseline {
     std::vector<double> bump_, wave_;
 };
 
-/// How much of the power of the displacement behind an acceleration is slower than `period_s`, of 1.
+/// Share of the power of the displacement behind an acceleration that is slower than `period_s`, 0 to 1 [-].
 [[nodiscard]] double slow_share(std::span<double const> acceleration_mps2, double time_step_s, double period_s);
 
 }  // namespace overturn

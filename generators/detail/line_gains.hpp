@@ -1,4 +1,4 @@
-/// How to change the amplitudes of a wave's Fourier lines so that its oscillators peak where they should.
+/// Changes of the amplitudes of a wave's Fourier lines that bring the peaks of its oscillators to their targets.
 #pragma once
 
 #include <complex>

@@ -1,4 +1,4 @@
-/// How to change a wave's slow Fourier lines, amplitudes and phases, so that slow oscillators peak where they should.
+/// Changes of a wave's slow Fourier lines (amplitudes and phases) that bring slow oscillators to their target peaks.
 #pragma once
 
 #include <complex>

@@ -1,4 +1,4 @@
-/// What may be stated of filtered noise.
+/// Keys of filtered noise.
 #pragma once
 
 #include <array>

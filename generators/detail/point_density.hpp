@@ -29,7 +29,7 @@ class PointDensity {
     std::vector<std::pair<double, double>> points_;
 };
 
-/// What may be stated of it: points, or a file of two columns.
+/// Its keys: points, or a file of two columns.
 extern config::KeyTable const point_density_table;
 
 /// \throws InputError at the key

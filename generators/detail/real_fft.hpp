@@ -7,7 +7,7 @@
 
 namespace overturn {
 
-/// Of one length.
+/// Transform of a fixed length.
 class RealFft {
   public:
     explicit RealFft(std::size_t length) : length_(length) {}

@@ -1,4 +1,4 @@
-/// What may be stated of records: which files, and how they are read.
+/// Keys of records: their files, and how these are read.
 #pragma once
 
 #include <array>

@@ -26,8 +26,7 @@ struct Record {
     std::string name;      ///< of its file (of the horizontal component's), as the campaign says it
 };
 
-/// Of their strongest sample, by which two recordings of one motion may differ: they are rounded where they are
-/// written.
+/// Largest difference between two recordings of one motion, over their largest sample [-]: files hold rounded values.
 inline constexpr double same_motion_share = 1e-3;
 
 /// Two of a list that are one motion.

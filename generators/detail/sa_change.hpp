@@ -1,4 +1,4 @@
-/// What became of a record's spectrum when it was read on another time grid, or its baseline was corrected.
+/// Change of a record's response spectrum by a new time grid or a corrected baseline.
 #pragma once
 
 #include <string>

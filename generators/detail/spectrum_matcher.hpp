@@ -60,7 +60,7 @@ class SpectrumMatcher {
 
     /// The acceleration alone, of lines that pairs of normals give, matched as make does.
     [[nodiscard]] std::vector<double> of_normals(std::span<double const> normals) const;
-    /// What normals are for; without iteration waves are linear in them if amplitudes are gaussian.
+    /// The lines that normals make; without iteration waves are linear in normals if amplitudes are gaussian.
     [[nodiscard]] NoiseLines const& noise() const;
     /// The same lines, but for amplitudes that a calibration changes; known at once.
     [[nodiscard]] NoiseLines const& uncalibrated() const { return noise_; }
@@ -74,7 +74,7 @@ class SpectrumMatcher {
 
     /// Calibrates now, where that is asked for and was not done; else what needs it first does, alone.
     void prepare(ShareRows const& share) const;
-    /// How the median of the calibrating draws follows the target; null if not calibrated.
+    /// Match of the calibrating draws' median to the target; null if not calibrated.
     [[nodiscard]] MatchFigures const* median() const;
 
   private:

@@ -1,5 +1,5 @@
-/// What one iteration of a match sees: the peaks of oscillators at some of the judged periods, and which step on the
-/// wave's lines that calls for.
+/// One iteration of a match: the peaks of oscillators at some of the judged periods, and the step on the wave's lines
+/// that follows from them.
 #pragma once
 
 #include <complex>

@@ -58,7 +58,7 @@ class TargetVariability {
     CorrelatedNormals correlated_;
 };
 
-/// What may be stated of it.
+/// Its keys.
 extern config::KeyTable const variability_table;
 
 /// A file of correlations is read by TabulatedCorrelation::parse. Calls finish(). \throws InputError at the key
