@@ -1,5 +1,4 @@
-/// What a body stands on: the outline and bedding of its base, and the compliant pad under it. Plain data; says nothing
-/// about validity.
+/// The support of a body: outline and bedding of its base, and the compliant pad under it. Plain data, not validated.
 #pragma once
 
 #include <array>
@@ -53,7 +52,7 @@ struct MatchedFooting {
 struct Footing {
     BasePlan base = {};
     Pad pad = {};
-    /// Where it is known beforehand: what base and pad become for the body as it stands under every wave.
+    /// Base and pad of the body under every wave, where they are known beforehand.
     std::optional<MatchedFooting> matched = {};
     /// About the horizontal axis in the rocking plane (tilting across it), and about the vertical one. Empty: as in the
     /// rocking plane, and the uniform solid of the base [kg m2]

@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// What a response spectrum must offer for the body to rock to a rotation.
+/// Demand of a response spectrum at which the body rocks to a given rotation.
 struct RockingCapacity {
     double rotation_rad = 0;
     double spectral_mps2 = 0;  ///< SA_CAP = 2 g f1 / theta

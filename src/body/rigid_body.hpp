@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// What the user states about a body, in the rocking plane. Plain data; says nothing about validity.
+/// The body as the user states it, in the rocking plane. Plain data, not validated.
 struct BodyInput {
     double mass_kg = 0;                      ///< m [kg]
     double half_width_m = 0;                 ///< b, from the axis to the corner of the base [m]
@@ -35,9 +35,9 @@ struct Corner {
     double limit_velocity_mps = 0;   ///< sqrt(2 g R (1 - cos alpha)) [m/s]
 };
 
-/// What the equations need. Immutable and valid once constructed. Symmetric about its axis unless an offset or a slope
-/// is stated; then its two corners differ, and R, alpha, I_O, p, e and V_Ereq are those of the weaker one: the corner
-/// over which less energy tips it.
+/// The body's constants in the equations. Immutable and valid once constructed. Symmetric about its axis unless an
+/// offset or a slope is stated. Then its two corners differ, and R, alpha, I_O, p, e and V_Ereq are those of the weaker
+/// corner: the one over which less energy tips the body.
 ///   R      distance from corner to centre of gravity  sqrt(b^2 + h^2)   (the paper's a)
 ///   alpha  critical angle                             atan(b / h)       (the paper's alpha is its complement)
 ///   I_O    inertia about the corner                   I_G + m R^2

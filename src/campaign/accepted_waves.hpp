@@ -1,5 +1,5 @@
-/// Which waves of a campaign count: the first ones in the order of their numbers, and where they are held to a rule the
-/// first ones that meet it. A wave that misses it is no trial, whatever became of the bodies under it.
+/// The waves of a campaign that count: the first ones in the order of their numbers; with an acceptance rule, the first
+/// ones that meet it. A wave that misses it is no trial, whatever the bodies under it did.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,8 @@
 
 namespace overturn {
 
-/// What is known of the waves that were drawn, block by block and in any order. Nothing here hangs on how many more
-/// were computed than are needed.
+/// Acceptance of the waves drawn so far, block by block and in any order. Nothing here depends on how many more were
+/// computed than are needed.
 class AcceptedWaves {
   public:
     /// \param drawn the campaign's own plan, or its first blocks; outlives this
@@ -51,10 +51,10 @@ class AcceptedWaves {
     std::vector<std::int64_t> missed_;  ///< waves that miss a clause, in the order of clause_names()
 };
 
-/// Of a block of `drawn` the rows of those waves that `chosen` has.
+/// Rows of a block of `drawn` for those waves that `chosen` has.
 [[nodiscard]] BlockRows rows_of_chosen(BlockRows rows, Plan const& drawn, std::int64_t block, Plan const& chosen);
 
-/// Of a block of `drawn` the rows of waves that were drawn in vain on the way to the chosen ones.
+/// Rows of a block of `drawn` for waves that the rule refused on the way to the chosen ones.
 [[nodiscard]] std::vector<WaveRow> refused_rows(BlockRows const& rows, Plan const& drawn, std::int64_t block,
                                                 Plan const& chosen);
 

@@ -1,5 +1,5 @@
-/// What a campaign takes for granted of the values that it was given: where they come from. What the model itself
-/// assumes: model_assumptions.hpp.
+/// Basis of the values given to a campaign: measured, published, assumed. Assumptions of the model itself are in
+/// model_assumptions.hpp.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace overturn {
 /// is computed.
 [[nodiscard]] std::vector<config::InputValue> physical_inputs(CampaignSpec const& spec);
 
-/// How many of them come from where.
+/// Number of inputs by their basis.
 struct InputTally {
     std::int64_t assumed = 0, published = 0, measured = 0, not_stated = 0, by_default = 0;
 

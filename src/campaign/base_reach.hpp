@@ -1,4 +1,4 @@
-/// How far the base of a body reaches to each side, turned and tilted.
+/// Reach of a body's base to each side, turned and tilted.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace overturn {
 
-/// How a body stands: its turn about its own axis, and by how much that axis leans, which way (from x towards y).
+/// Attitude of a body: turn about its axis, tilt of that axis, and direction of the tilt (from x towards y).
 struct Pose {
     double yaw_rad = 0, tilt_rad = 0, azimuth_rad = 0;
 };

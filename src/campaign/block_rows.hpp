@@ -20,7 +20,7 @@ struct BlockRows {
     TrialRows trials;
 
     [[nodiscard]] std::vector<std::byte> pack() const;
-    /// How many bytes pack() makes of a block.
+    /// Size of a block's rows from pack() [bytes].
     [[nodiscard]] static std::size_t packed_size(Plan const& plan, std::int64_t block);
     /// \throws SystemError if the bytes are not those of `waves` waves of this plan
     [[nodiscard]] static BlockRows unpack(std::span<std::byte const> bytes, Plan const& plan, std::int64_t waves);
@@ -34,7 +34,7 @@ struct BlockRows {
                                                                PhaseSeconds& seconds,
                                                                std::function<bool()> const& keep_running,
                                                                KnownTrials const* known = nullptr);
-/// How many blocks are worth computing together.
+/// Number of blocks that are worth computing together.
 [[nodiscard]] std::int64_t blocks_together(Plan const& plan);
 /// One whole block, come what may.
 [[nodiscard]] BlockRows run_block(CampaignSpec const& spec, Plan const& plan, std::int64_t block,

@@ -40,13 +40,13 @@ struct BodySpec {
     int axes = 3;                 ///< Scene::axes
     Footing stated_footing = {};  ///< as the keys say
     Footing footing = {};         ///< of the body in force
-    /// What it is assembled from, in the size of the body in force, with the masses stated; empty: stated as a whole
+    /// Its parts, in the size of the body in force, with the masses stated; empty: stated as a whole
     std::vector<BodyPart> parts = {};
 
     /// The first of its keys offset, slope and initial_tilt that says anything: of models only rocking and sliding hold
     /// them. Null: none does.
     [[nodiscard]] char const* planar_key() const;
-    /// Which of mass, centre_height, restitution and friction scatter, in that order.
+    /// Those of mass, centre_height, restitution and friction that scatter, in that order.
     [[nodiscard]] std::vector<std::string> scattering() const;
     /// The standard normal scores of a draw of these.
     [[nodiscard]] std::vector<double> scores(DrawnBody const& drawn) const;

@@ -19,21 +19,22 @@ struct CampaignInput {
     std::string text;                          ///< TOML
     std::vector<std::string> settings;         ///< "key.sub=value", applied in order
     std::map<std::string, std::string> files;  ///< by the name the campaign uses
-    /// What computes it: blocks of two programs must not be mixed, since a change of either may move a bit.
+    /// The program that computes it. Blocks of two programs must not be mixed: a change of either may change a bit.
     std::string program = program_identity();
-    /// What kind of machine computes it: all x86-64 give the same last bits, aarch64 others.
+    /// The kind of machine that computes it: all x86-64 give the same last bits, aarch64 others.
     std::string machine = overturn::machine();
     /// With what: a library or a compiler of another version may give other last bits.
     std::string libraries = overturn::library_versions() + ", " + overturn::compiler();
-    /// Of a results file up to format 4, which is read as programs did then: a trial that overturned passed the limits
-    /// that it had passed before it fell, targets without a unit were in SI, unnamed columns told by their place.
+    /// True for a results file up to format 4, which is read as programs read it then: a trial that overturned passed
+    /// the limits that it had passed before it fell, targets without a unit were in SI, unnamed columns were known by
+    /// place.
     bool before_format_5 = false;
 
     /// SHA-256 of text, settings and files; neither the name nor program, machine and libraries count.
     [[nodiscard]] std::string sha256() const;
-    /// What finished blocks belong to: every key that may decide a row or which waves a block holds, the files, the
-    /// program, the kind of machine and the libraries; neither comments nor confidence, nor what pages bear (title,
-    /// question, who signs).
+    /// Key of finished blocks: every value that may decide a row or the waves of a block, the files, the program, the
+    /// kind of machine and the libraries. Comments, confidence and the cover's text (title, question, signatures) do
+    /// not count.
     [[nodiscard]] std::string block_key() const;
 
     [[nodiscard]] std::string serialise() const;
@@ -43,17 +44,18 @@ struct CampaignInput {
     /// One line per difference between two inputs that block_key() knows: "bodies.b.friction was 0.5, is 0.6"; empty if
     /// there is none.
     [[nodiscard]] std::vector<std::string> differences(CampaignInput const& other) const;
-    /// Of these, those that bar the rows of this campaign from the other: all but the number of waves, which levels and
-    /// which bodies there are, limits and statistics. A body that both have must be the same.
+    /// Those differences that forbid the other to use rows of this campaign: all but the number of waves, the choice of
+    /// levels and bodies, limits and statistics. A body that both have must be the same.
     [[nodiscard]] std::vector<std::string> differences_of_rows(CampaignInput const& other) const;
-    /// Of these, those between the programs, the machines and the libraries.
+    /// Those differences that lie in the programs, the machines or the libraries.
     [[nodiscard]] std::vector<std::string> differences_of_program(CampaignInput const& other) const;
 };
 
 /// Reads a campaign file and whatever it refers to, and checks all of it by building the campaign once.
 /// \throws InputError
 [[nodiscard]] CampaignInput load_campaign(std::filesystem::path const& path, std::span<std::string const> settings);
-/// Of a text that need not be a file yet: reads what it refers to, from `folder`, and checks all of it likewise.
+/// The same for a text that need not be a file yet: reads the files that it names, from `folder`, and checks all.
+/// \throws InputError
 /// \throws InputError
 void load_files(CampaignInput& input, std::filesystem::path const& folder);
 

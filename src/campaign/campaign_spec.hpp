@@ -21,9 +21,8 @@
 
 namespace overturn {
 
-/// How the energy measures are read; an option because the original's unit of R is not printed.
-/// From when on a body that stands counts as having moved, whatever model ran: what a pad gives way elastically is not
-/// rocking, what a base creeps is no slip.
+/// Thresholds of movement: a body that stands has moved beyond them, whatever model ran. Elastic give of a pad is not
+/// rocking, and creep of a base is no slip.
 struct MovementSpec {
     double slip_m = 1e-3;  ///< largest slip of the base
     /// Largest rise of the edge of the base off the ground: its width times the sine of the tilt, without that by which
@@ -32,12 +31,13 @@ struct MovementSpec {
 
     bool by_model = false;  ///< instead as each model has it, as in results files up to format 4
 
-    /// Of a trial that stands; other verdicts stay. \param may_slip has it friction? What a base that holds fast rolls
-    /// or walks is no slip
+    /// Verdict of a trial that stands, by these thresholds; other verdicts stay.
+    /// \param may_slip has it friction? Rolling or walking of a base that holds fast is no slip
     /// \param pad under it, where it ran on points
     [[nodiscard]] Verdict verdict(Response const& response, RigidBody const& body, bool may_slip, Pad const& pad) const;
 };
 
+/// Measures of every wave. The unit of R is an option because the original does not print it.
 struct MeasureSpec {
     RadiusUnit radius_unit = RadiusUnit::centimetre;
     bool energy = true;              ///< V_WES and ouV_E of every wave and body
@@ -52,7 +52,7 @@ struct MeasureSpec {
     MovementSpec movement = {};
 };
 
-/// What the cover of a page bears beside the title; empty: not stated.
+/// Text on the cover of a page beside the title; empty: not stated.
 struct CoverText {
     std::string question, prepared, checked, approved, revision;
 };

@@ -22,7 +22,7 @@ struct MeasureRow;
 struct TrialRow;
 struct MeasureSpec;
 
-/// How many periods of the user's own a campaign measures Sa at.
+/// Largest number of periods at which a campaign measures Sa.
 inline constexpr std::size_t most_sa_periods = 4;
 
 /// Levels above `most` are a mistake in the unit, by a factor of some two; where all are below `least` nothing moves.
@@ -55,11 +55,11 @@ struct IntensityMeasure {
     std::string_view meaning;
     Curves curves = Curves::asked;
     MaybeFunction<bool(MeasureSpec const&)> measured = {};
-    /// Of the wave before scaling, for a body [SI]
+    /// Value for the wave before scaling and a body [SI]
     MaybeFunction<double(WaveRow const& wave, MeasureRow const& body)> of_wave = {};
-    /// Of the scaled wave, for the body of a trial [SI]
+    /// Value for the scaled wave and the body of a trial [SI]
     MaybeFunction<double(TrialRow const&)> of_trial = {};
-    /// Of the motion times a factor [SI]: gives /waves a column of this name, with a factor of 1
+    /// Value for the motion times a factor [SI]: gives /waves a column of this name, with a factor of 1
     MaybeFunction<double(GroundMotion const&, double scale)> of_motion = {};
     /// Is of_motion proportional to the factor? Where it is not, /trials has a column of this name if it is asked for
     bool linear = true;
@@ -274,7 +274,7 @@ inline constexpr std::array intensity_measures{
 /// The names in the order of their numbers in files.
 [[nodiscard]] std::vector<std::string> fragility_measure_names();
 
-/// How many measures have a column of their own in /waves, and in /trials.
+/// Number of measures with a column in /waves, and in /trials.
 inline constexpr auto wave_measures =
     static_cast<std::size_t>(std::ranges::count_if(intensity_measures, &IntensityMeasure::has_wave_column));
 inline constexpr auto trial_measures =
@@ -286,7 +286,7 @@ inline constexpr auto trial_measures =
 [[nodiscard]] constexpr bool is_linear(Measure measure) {
     return measure->of_wave || (measure->of_motion && measure->linear);
 }
-/// Of a trial [SI]. \pre the measure is not linear in the scale
+/// Value for a trial [SI]. \pre the measure is not linear in the scale
 [[nodiscard]] double of_trial(Measure measure, TrialRow const& trial);
 
 /// Those that are functions of a motion alone, in the order of the registry [SI].

@@ -9,7 +9,7 @@
 
 namespace overturn {
 
-/// What is known of one wave.
+/// Known rows of one wave.
 struct KnownWave {
     WaveRow row;
     TrialRows trials;         ///< as the plan orders them; those that are not known say nothing

@@ -14,7 +14,7 @@
 
 namespace overturn {
 
-/// What a level is for.
+/// Purpose of a level.
 enum class LevelClass : std::uint8_t { ordinary = 0, design_basis = 1, beyond_design = 2 };
 
 /// The measures that levels may be stated by, under the words of levels.measure.
@@ -44,7 +44,7 @@ struct LevelSpec {
     }
     [[nodiscard]] Dimension dimension() const;
     [[nodiscard]] std::string units() const;
-    /// As the user wrote values: the unit, a value in it, and both.
+    /// The user's unit, a value in it, and both as text.
     [[nodiscard]] std::string shown_units() const { return stated_unit.empty() ? units() : stated_unit; }
     [[nodiscard]] double shown(double value) const { return value / stated_unit_si; }
     [[nodiscard]] std::string text(double value) const;
@@ -52,7 +52,7 @@ struct LevelSpec {
     [[nodiscard]] std::optional<double> scale(Level const& level, WaveRow const& wave) const;
 };
 
-/// What [levels] may state.
+/// Keys of [levels].
 extern config::KeyTable const levels_table;
 
 /// A named level that is not among the values is added to them; named levels need no values. \throws InputError

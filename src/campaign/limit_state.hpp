@@ -27,7 +27,7 @@ struct LimitQuantity {
     bool of_every_model = true;  ///< else one of those that only some models know (ModelTraits::fields)
     bool is_signed = false;      ///< compared is not its magnitude: less is worse, below 0 too
 
-    /// Of how a body lands that has overturned: a fall passes such a limit by its own figure only.
+    /// Is it a property of the landing of a body that has overturned? A fall passes such a limit by its value only.
     [[nodiscard]] bool is_of_the_fall() const { return name.starts_with("landing_"); }
 };
 
@@ -42,8 +42,8 @@ struct LimitState {
     LimitQuantity quantity;  ///< of above and below
     double threshold = 0;    ///< likewise [SI]
     IntensityUnit shown;     ///< that the threshold was written in; no symbol: in none
-    /// Of above and below: a trial that overturned has passed it, whatever it did before. Else its response up to the
-    /// fall is compared, and the definition says "without overturning".
+    /// A trial that overturned has passed a limit of above or below, whatever it did before. Otherwise its response up
+    /// to the fall is compared, and the definition says "without overturning".
     bool falls_pass = true;
     std::vector<std::size_t> of;  ///< of any and all: places in the campaign's list, all before this one's
     PrecisionTarget target;       ///< met, together with all others, before all waves are done, it ends the campaign
@@ -51,24 +51,24 @@ struct LimitState {
     [[nodiscard]] bool is_overturning() const { return rule == Rule::overturning; }
     /// "30 cm" as it was written; an angle that was not in degrees has them beside it: "0.349 rad = 20 deg".
     [[nodiscard]] std::string threshold_text() const;
-    /// How its fits speak of it.
+    /// Verb for a passed limit in texts of fits.
     [[nodiscard]] Passing passing() const { return is_overturning() ? Passing::overturned : Passing::exceeded; }
 };
 
-/// Of a limit state that a fall alone does not pass.
+/// Suffix of a limit state that a fall alone does not pass.
 inline constexpr std::string_view without_overturning = " without overturning";
 
 /// The name of the one that is always there, the first; those of [site], which are there with it.
 inline constexpr char const* overturning_limit = "overturning";
 inline constexpr char const *touching_limit = "touches", *leaving_limit = "leaves-the-pad";
 
-/// How lines of results call it: "touches"; where a fall alone does not pass it "touches without overturning".
+/// Name of a limit state in results: "touches"; where a fall alone does not pass it "touches without overturning".
 [[nodiscard]] std::string said_name(LimitState const& limit, std::span<LimitState const> limits);
 
 /// "peak_slip > 30 cm"; "peak_slip > 30 cm without overturning"; "any of touches, overturning".
 [[nodiscard]] std::string definition_of(LimitState const& limit, std::span<LimitState const> limits);
 
-/// What one trial says of all limit states: a bit each, in their order.
+/// Outcome of one trial for all limit states: a bit each, in their order.
 struct LimitOutcomes {
     std::uint32_t decided = 0;  ///< it is known whether the trial passed
     std::uint32_t passed = 0;   ///< never set where not decided
@@ -87,9 +87,9 @@ class LimitJudge {
 
     /// \param own the record of what models have to say of their own; empty: unknown
     [[nodiscard]] LimitOutcomes judge(TrialRow const& row, std::span<std::byte const> own) const;
-    /// How near the trial came to passing a limit, continuous: at least 1 where it passed, at most 1 where it did not;
-    /// the magnitude over its threshold, the nearest of `any`, the farthest of `all`, the tilt over alpha of
-    /// overturning. NaN where it is not known.
+    /// Ratio of the response to the limit, continuous [-]: at least 1 where the trial passed, at most 1 where it did
+    /// not. It is the magnitude over its threshold (inverse for `below`), the largest of `any`, the smallest of `all`,
+    /// the tilt over alpha for overturning. NaN where it is unknown.
     [[nodiscard]] double nearness(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const;
     /// Does any limit hang on such a record?
     [[nodiscard]] bool reads_extra() const;

@@ -1,4 +1,4 @@
-/// What the model itself assumes, whatever the campaign states.
+/// Assumptions of the model itself, whatever the campaign states.
 #pragma once
 
 #include <span>

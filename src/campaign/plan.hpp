@@ -30,7 +30,7 @@ class Plan {
     [[nodiscard]] std::int64_t trials() const { return waves_ * trials_per_wave(); }
     [[nodiscard]] std::int64_t blocks() const { return (waves_ + block_size_ - 1) / block_size_; }
     [[nodiscard]] std::int64_t block_size() const { return block_size_; }
-    /// Of what models have to say of their own about a trial (ModelSelector::extra_bytes).
+    /// Size of the models' extra values of a trial (ModelSelector::extra_bytes) [bytes].
     [[nodiscard]] std::int64_t extra_bytes() const { return extra_bytes_; }
 
     /// The same campaign with these of its waves only, rising, `count` of each group or all that could be had. Its own
@@ -38,7 +38,7 @@ class Plan {
     [[nodiscard]] Plan chosen(std::vector<std::int64_t> numbers, std::int64_t count) const;
     /// The same where a rule refuses none: for sizes and times before anything is drawn.
     [[nodiscard]] Plan without_refusals() const;
-    /// Which of the waves that may be drawn the plan's wave is.
+    /// Number of the plan's wave among the waves that may be drawn.
     [[nodiscard]] std::int64_t number(std::int64_t wave) const;
     /// Is the one of that number among the plan's waves?
     [[nodiscard]] bool has(std::int64_t number) const;
@@ -46,11 +46,11 @@ class Plan {
     [[nodiscard]] std::int64_t drawn_until(std::int64_t group) const;
     /// Waves that the campaign asks for in all, whatever had to be drawn for them.
     [[nodiscard]] std::int64_t asked() const { return count_ * groups(); }
-    /// How many waves of each group the plan was to have; fewer than count() where the campaign ended early.
+    /// Waves that the plan was to have in each group; fewer than count() where the campaign ended early.
     [[nodiscard]] std::int64_t chosen_per_group() const { return chosen_per_group_; }
-    /// Which group a number is of.
+    /// The group that a number belongs to.
     [[nodiscard]] std::int64_t group_of(std::int64_t number) const { return number / drawn_per_group_; }
-    /// Of the wave with that identity. \pre there is one
+    /// Number of the wave with that identity. \pre there is one
     [[nodiscard]] std::int64_t number_of(std::int64_t wave_id) const;
     /// One of waves that all levels share, or one for each level.
     [[nodiscard]] std::int64_t groups() const;
@@ -65,7 +65,7 @@ class Plan {
     /// The levels at which a wave is tried: [first, first + count).
     [[nodiscard]] std::int64_t first_level(std::int64_t wave) const;
     [[nodiscard]] std::int64_t level_count() const { return levels_per_wave_; }
-    /// What a body under the wave is drawn by; waves of one level are sliced together where levels have their own.
+    /// Key of a body's draw under the wave; waves of one level are sliced together where levels have their own.
     [[nodiscard]] DrawnFor drawn_for(CampaignSpec const& spec, std::int64_t wave) const;
 
     struct Waves {

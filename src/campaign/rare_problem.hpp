@@ -28,7 +28,7 @@ class RareProblem : public rare::Problem {
     }
     void respond_each(std::span<double const> normals, std::span<double const> factors,
                       std::span<rare::Answer> answers) const override;
-    /// Of overturning only: when another limit state is passed, no instant says to pulses.
+    /// Frame of pulses, for overturning only: no instant of passing another limit state is known, as pulses need it.
     [[nodiscard]] std::optional<rare::PulseFrame> frame() const override;
     /// When the tilt last passed the critical angle outwards.
     [[nodiscard]] rare::Moment moment(std::span<double const> normals, double factor) const override;

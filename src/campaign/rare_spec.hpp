@@ -1,4 +1,4 @@
-/// What a campaign asks about rare events.
+/// Settings of rare-event estimation in a campaign.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@ struct RareSpec {
     std::int64_t max_runs = 1'000'000;   ///< waves per estimator, body and level
 };
 
-/// What [rare] may state.
+/// Keys of [rare].
 extern config::KeyTable const rare_keys_table;
 
 /// Nothing where there is no [rare]. \throws InputError where the campaign's levels or waves are not for these

@@ -23,7 +23,7 @@ template <std::size_t count> [[nodiscard]] consteval std::array<double, count> u
     return values;
 }
 
-/// How a component follows its target, where a rule looks; all 0 without a target.
+/// Match of a component to its target, as far as a rule checks it; all 0 without a target.
 struct ComponentMatch {
     double lowest_ratio = 0, lowest_period_s = 0;
     double highest_ratio = 0, highest_period_s = 0;

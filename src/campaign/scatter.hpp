@@ -1,4 +1,4 @@
-/// What is not known exactly about a body, and how the campaign draws it.
+/// Uncertain properties of a body, and how a campaign draws them.
 #pragma once
 
 #include <cstdint>
@@ -30,13 +30,13 @@ struct BodyScatter {
     std::optional<Distribution> friction;  ///< of the static coefficient; the kinetic one keeps its ratio to it
 };
 
-/// How draws are spread over the waves.
+/// Spread of the draws over the waves.
 enum class Sampling {
     independent,     ///< each wave for itself: more waves change no earlier one
     latin_hypercube  ///< one draw from each of n equally likely slices, n the number of waves, in shuffled order
 };
 
-/// Which wave a body is drawn for.
+/// The wave that a body is drawn for.
 struct DrawnFor {
     std::uint64_t seed = 0;
     std::uint64_t wave = 0;  ///< identity in every random stream

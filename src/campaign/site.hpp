@@ -1,4 +1,4 @@
-/// What stands round a body and where its pad ends.
+/// Surroundings of a body: other casks, walls and the edge of the pad.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct Sides {
     [[nodiscard]] bool any() const;
 };
 
-/// What is round every body of a campaign.
+/// Surroundings of every body of a campaign.
 struct Site {
     Sides cask;                                 ///< to another cask, which moves too
     Sides wall;                                 ///< to what stands still
@@ -35,19 +35,19 @@ struct Site {
 
     [[nodiscard]] bool has_gaps() const { return cask.any() || wall.any(); }
     [[nodiscard]] bool has_edges() const { return edge.any(); }
-    /// Of a body's highest point above its base: as stated, that of its parts, or twice the height of its centre of
-    /// gravity [m]
+    /// Height of a body's highest point above its base: as stated, that of its parts, or twice the height of its centre
+    /// of gravity [m]
     [[nodiscard]] double top_m(BodySpec const& body, double centre_height_m) const;
     /// From a body's axis to where it is widest: as stated, or as its parts; 0: nothing is known to reach beyond its
     /// base [m]
     [[nodiscard]] double widest_m(BodySpec const& body) const;
 };
 
-/// Of [site].
+/// Keys of [site].
 extern config::KeyTable const site_table;
 /// All but which body the other cask is. \throws InputError
 [[nodiscard]] Site read_site(config::Table const& table);
-/// Which of these bodies the other cask is, if [site] says so. \throws InputError
+/// The place of the other cask among these bodies, if [site] states it. \throws InputError
 [[nodiscard]] std::optional<std::size_t> read_cask_body(config::Table const& table, std::span<BodySpec const> bodies);
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-/// How near a trial came to what stands round its body, and to the edge of its pad.
+/// Least distance of a body from its surroundings and from the edge of its pad, for a trial.
 #pragma once
 
 #include <array>
@@ -50,7 +50,7 @@ class SiteJudge {
 
   private:
     using PerSide = std::array<double, Sides::count>;
-    /// How far a body came to each side of its place at most: its base, and any of it [m]
+    /// Largest travel of a body to each side of its place: of its base, and of any part of it [m]
     struct Ways {
         PerSide base_m, all_m;
     };

@@ -39,10 +39,10 @@ class SitePath : public Observer {
     void begin(std::span<Channel const> channels) override;
     void at(std::span<double const> values) override;
 
-    /// How far any of the body was to each side at a time, of the instants before and after it the farther; NaN: not
+    /// Farthest reach of the body to each side at a time: the larger one of the instants before and after. NaN: not
     /// known, as after the last instant of a trial without a verdict [m]
     [[nodiscard]] PerSide reach_m(double time_s) const;
-    /// As far as any of it ever was, to this side or the opposite one; NaN: not known all the way [m]
+    /// Farthest reach over the whole trial, to this side or the opposite one; NaN: not known all the way [m]
     [[nodiscard]] PerSide farthest_m() const;
 
   private:
@@ -75,12 +75,12 @@ class SitePath : public Observer {
     std::vector<double> row_;
 };
 
-/// How the other cask moves.
+/// Motion of the other cask.
 struct OtherCask {
     SitePath const& path;  ///< its own, or that of a body like it
     bool is_like = false;  ///< the path is of the body itself: of its like only how far it comes is known, not when
 
-    /// How far any of it is to each side at a time; NaN: not known [m]
+    /// Farthest reach to each side at a time; NaN: not known [m]
     [[nodiscard]] SitePath::PerSide reach_m(double time_s) const {
         return is_like ? path.farthest_m() : path.reach_m(time_s);
     }

@@ -1,4 +1,4 @@
-/// What a person says of a study before there is a campaign: each answer in the units in which it was typed.
+/// A person's answers about a study before there is a campaign, each in the units in which it was typed.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct StudyAnswers {
     [[nodiscard]] bool has_spectrum_file() const;
     /// Is anything round the cask stated?
     [[nodiscard]] bool has_site() const { return gap || wall || edge; }
-    /// Of the design basis: acceleration or velocity.
+    /// Dimension of the design basis: acceleration or velocity.
     [[nodiscard]] Dimension level_dimension() const;
 };
 

@@ -55,7 +55,7 @@ bool append_trials(
     PhaseSeconds& seconds, std::function<bool()> const& keep_running = [] { return true; },
     KnownTrials const* known = nullptr);
 
-/// How many waves' trials go side by side: enough to fill the vector lanes to the end, few enough waves to hold.
+/// Number of waves whose trials run side by side: enough to fill the vector lanes, few enough to hold in memory.
 [[nodiscard]] std::int64_t waves_together(Plan const& plan);
 
 }  // namespace overturn

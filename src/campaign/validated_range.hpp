@@ -1,4 +1,4 @@
-/// What the program was held against real outcomes for, and where a campaign leaves that.
+/// Range of the tests that validate the program, and the bodies of a campaign outside it.
 #pragma once
 
 #include <span>
@@ -9,10 +9,10 @@
 
 namespace overturn {
 
-/// Which bodies lie outside of 245 tests of two granite blocks on a shaking table (doi 10.26443/seismica.v3i1.692;
-/// tests/validation/experiments): one component, no base that was measured to be flat, friction unknown.
-/// "type-a, type-b: alpha 0.577 (tested: 0.08 to 0.14), ...": bodies that leave the range in the same way together.
-/// Empty: all are inside.
+/// Bodies outside of the range of 245 tests of two granite blocks on a shaking table (doi 10.26443/seismica.v3i1.692;
+/// tests/validation/experiments): one component, no base that was measured to be flat, friction unknown. "type-a,
+/// type-b: alpha 0.577 (tested: 0.08 to 0.14), ...": bodies that leave the range in the same way together. Empty: all
+/// are inside.
 [[nodiscard]] std::vector<std::string> outside_validated_range(CampaignSpec const& spec);
 
 /// One line: what was tested, and which bodies lie outside in what.

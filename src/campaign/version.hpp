@@ -1,4 +1,4 @@
-/// What made a results file: this program and the libraries whose numbers go into it.
+/// Identity of the program that made a results file, and of the libraries whose numbers go into it.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace overturn {
 [[nodiscard]] std::string sources_sha256();
 /// "1.0.0 (f46588f980a6, sources 1b2c3d4e5f60)": equal for equal sources only.
 [[nodiscard]] std::string program_identity();
-/// What kind of machine decides the last bits: "x86-64", whatever its CPU can do (the test portable/cpus), "aarch64",
+/// Kind of machine, which decides the last bits: "x86-64", whatever its CPU can do (the test portable/cpus), "aarch64",
 /// ...
 [[nodiscard]] std::string machine();
 /// "GCC 12.2.0"

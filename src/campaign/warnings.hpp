@@ -1,4 +1,4 @@
-/// What a campaign may state and hardly means: said in one line each before any work, by plan, run, wave and report.
+/// Warnings about possible but unlikely input, a line each before any work, by plan, run, wave and report.
 #pragma once
 
 #include <string>
@@ -21,20 +21,21 @@ namespace overturn {
 [[nodiscard]] std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedWave const& wave,
                                                            ModelSelector const& selector);
 
-/// What a body or its motion states and stated effects leave out: friction, base and pad, further components.
+/// Properties of a body or its motion that the stated effects ignore: friction, base and pad, further components.
 [[nodiscard]] std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, GroundMotion const& motion,
                                                                   EffectRequest const& effects);
 
-/// Of one body: sizes, mass and inertia that hardly belong together.
+/// Warnings about one body: sizes, mass and inertia that hardly belong together.
 [[nodiscard]] std::vector<std::string> warnings_of(BodySpec const& body);
 
-/// Of one motion: too few samples, too long a step.
+/// Warnings about one motion: too few samples, too long a step.
 [[nodiscard]] std::vector<std::string> warnings_of(GroundMotion const& motion);
 
 /// Does a target that is compared over these periods leave some of a body's band without a word, at either end?
 [[nodiscard]] bool ends_inside(ComparedPeriods const& judged, PeriodBand const& band);
 
-/// How the first measured waves end, a line each: what of PGV and PGD is their baseline's. Empty without records.
+/// Residuals of the first measured waves, a line each: the part of PGV and PGD that comes from their baseline. Empty
+/// without records.
 [[nodiscard]] std::vector<std::string> ends_of_records(CampaignSpec const& spec);
 
 }  // namespace overturn

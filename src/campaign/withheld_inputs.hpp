@@ -18,7 +18,7 @@ inline constexpr config::Key inputs_key =
 /// Reads it. \throws InputError if it is "hash-only" and the waves are no records
 [[nodiscard]] bool keeps_hashes_only(config::Table const& root);
 
-/// What a results file keeps of the input files: all of them, or hashes in place of what is no TOML.
+/// Input files as a results file keeps them: all of them, or hashes in place of those that are not TOML.
 [[nodiscard]] std::map<std::string, std::string> kept_inputs(CampaignInput const& input);
 
 /// Is the content of any input file not there?

@@ -1,4 +1,4 @@
-/// What may be stated of a body: in its file, or in [[bodies]].
+/// Keys of a body, in its file or in [[bodies]].
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-/// What a campaign may state beside its waves, bodies, levels, limits and rare events, which describe their own keys.
+/// Keys of a campaign, except waves, bodies, levels, limits and rare events, which describe their own.
 #pragma once
 
 #include <array>
@@ -123,7 +123,7 @@ inline constexpr config::Keys campaign_keys{
     config::table_key<rare_keys_table>("rare", "rare events").optional(),
     config::table_key<accuracy_table>("accuracy", "how exactly trials are followed").optional()};
 
-/// What stands on the cover of a page and decides no number: whoever changes it keeps every trial.
+/// Text on the cover of a page. It decides no number: whoever changes it keeps every trial.
 inline constexpr std::array cover_keys{campaign_keys["title"],   campaign_keys["question"], campaign_keys["prepared"],
                                        campaign_keys["checked"], campaign_keys["approved"], campaign_keys["revision"]};
 

@@ -1,4 +1,4 @@
-/// What a body stands on, as the keys base, pad, inertia_y and inertia_z say.
+/// The support of a body by its keys base, pad, inertia_y and inertia_z.
 #pragma once
 
 #include "campaign/body_spec.hpp"
@@ -6,7 +6,7 @@
 
 namespace overturn {
 
-/// What may be stated of base, pad and the inertias of a body in space.
+/// Keys base, pad and the inertias of a body in space.
 extern config::KeyTable const footing_table;
 
 /// Keys that are not there leave what stands. \param points_across of a square base that states none \throws InputError

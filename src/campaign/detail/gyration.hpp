@@ -1,4 +1,4 @@
-/// How far a body's mass lies from its centre: what tells an inertia that no body has.
+/// Distance of a body's mass from its centre: a check of its inertia.
 #pragma once
 
 #include <cmath>

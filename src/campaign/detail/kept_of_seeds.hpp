@@ -1,4 +1,4 @@
-/// What a match leaves of the long periods of its seeds.
+/// Long periods of seed records that a match keeps.
 #pragma once
 
 #include <span>
@@ -10,9 +10,9 @@
 
 namespace overturn {
 
-/// Of one seed, matched over what its match should have made of it: the target at periods that are matched, beyond them
-/// the seed's own spectrum times the factor of the longest; of PGV the seed's own times the root mean square of those
-/// factors, weighted by its pseudo-velocities squared. [-]
+/// One seed's match over its goal. The goal for Sa is the target at matched periods, and the seed's own spectrum times
+/// the last factor beyond them. The goal for PGV is the seed's own times the root mean square of those factors,
+/// weighted by its pseudo-velocities squared. [-]
 struct KeptOfSeed {
     double pgv = 1;
     double sa = 1;  ///< the geometric mean over the band of the body of which least is kept

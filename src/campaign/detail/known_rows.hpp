@@ -9,7 +9,7 @@
 
 namespace overturn {
 
-/// What is known of the trials of one wave that has been made.
+/// Trials of one wave that an earlier campaign computed, checked against the wave as it was made now.
 class KnownRows {
   public:
     /// \param wave as made: nothing is known of it where another motion was

@@ -1,5 +1,5 @@
-/// What a quantity that a limit names can be, and usually is, in a trial of a body that stands: what a threshold is
-/// held to, whether it can be passed, can be kept, and is likely to be meant.
+/// Possible and usual values of a limited quantity, in trials of a body that stands. Thresholds are checked against
+/// them: can they be passed, can they be kept, are they likely to be meant?
 #pragma once
 
 #include <string>
@@ -21,7 +21,7 @@ struct LimitRange {
 
 [[nodiscard]] LimitRange range_of(LimitQuantity const& quantity, BodySpec const& body);
 
-/// How many of the trials that stand can pass a limit of `above` or `below`, whatever shakes them.
+/// Trials that stand and can pass a limit of `above` or `below`, whatever shakes them.
 enum class Passable { none, some, all };
 
 [[nodiscard]] Passable passable(LimitState const& limit, LimitRange const& range);

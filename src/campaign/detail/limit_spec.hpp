@@ -12,7 +12,7 @@
 
 namespace overturn {
 
-/// Which waves the levels have: the same, each its own, or the same points of a grid.
+/// Waves of the levels: shared, independent for each level, or the same points of a grid.
 enum class WavesOfLevels { shared, independent, grid };
 
 extern config::KeyTable const limit_table;      ///< of [[limits]]

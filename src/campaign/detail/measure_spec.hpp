@@ -1,4 +1,4 @@
-/// What a campaign measures of its waves, as its file states it: [measures], and what its levels ask for beside it.
+/// Measures of a campaign's waves: those of [measures], and those that its levels need.
 #pragma once
 
 #include "campaign/campaign_spec.hpp"

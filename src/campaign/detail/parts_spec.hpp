@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// What may be stated of one of [[parts]].
+/// Keys of one of [[parts]].
 extern config::KeyTable const part_table;
 
 /// \throws InputError

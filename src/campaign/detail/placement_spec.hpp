@@ -1,4 +1,4 @@
-/// Where a body stands: off the base's middle, on a slope, tilted at first; and what of a campaign that rules out.
+/// Placement of a body (offset of its centre, slope, initial tilt), and the inputs that it excludes.
 #pragma once
 
 #include "campaign/body_spec.hpp"
@@ -10,7 +10,7 @@ namespace overturn {
 /// Keys offset, slope and initial_tilt.
 extern config::KeyTable const placement_table;
 
-/// What is read outranks what the body's file says. \throws InputError at the key if it would fall by itself
+/// Reads these keys; they replace those of the body's file. \throws InputError at the key if the body falls by itself
 void read_placement(config::Table const& table, BodySpec& spec);
 
 /// \throws InputError beside base, pad and inertias that only other models hold, and where friction lets it slide away

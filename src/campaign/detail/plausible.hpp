@@ -1,5 +1,4 @@
-/// What is not plausible of a campaign, in tables of ranges: values that are possible, hardly meant, and change
-/// answers.
+/// Implausible values of a campaign, found by tables of ranges: possible, hardly meant, and able to change answers.
 #pragma once
 
 #include <string>
@@ -11,16 +10,17 @@
 
 namespace overturn {
 
-/// Of keys of the campaign that are numbers, a line each.
+/// Implausible numbers among the campaign's keys, a line each.
 [[nodiscard]] std::vector<std::string> implausible_keys(CampaignSpec const& spec);
 
-/// What the campaign states at a key [SI]; NaN: nothing, or no number.
+/// The number stated at a key [SI]; NaN: nothing is stated, or no number.
 [[nodiscard]] double stated_number(CampaignSpec const& spec, std::string_view key);
 
-/// Of levels, limits and the design basis, a line each.
+/// Implausible levels, limits and design basis, a line each.
 [[nodiscard]] std::vector<std::string> implausible_statements(CampaignSpec const& spec);
 
-/// Of a drawn wave: a vertical component above the horizontal one, a step that cannot carry what was asked for.
+/// Implausible properties of a drawn wave: a vertical component above the horizontal one, a step too long for the
+/// frequencies asked for.
 [[nodiscard]] std::vector<std::string> implausible_wave(CampaignSpec const& spec, WaveRow const& row,
                                                         GroundMotion const& motion);
 

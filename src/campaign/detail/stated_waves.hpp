@@ -1,4 +1,4 @@
-/// What a campaign states about its waves, by its keys.
+/// Statements of a campaign about its waves, by its keys.
 #pragma once
 
 #include <string_view>

@@ -1,5 +1,5 @@
-/// What a campaign to be run may not state, though a file of results that has it is still read: what can only be a
-/// slip, and would be believed.
+/// Errors refused in a campaign to be run, although a results file with them is still read: they can only be a slip,
+/// and their results would be believed.
 #pragma once
 
 #include "campaign/campaign_input.hpp"

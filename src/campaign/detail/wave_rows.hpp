@@ -8,11 +8,11 @@
 
 namespace overturn {
 
-/// How it follows its target.
+/// Fills the row's figures of the match to the target.
 void describe_match(WaveRow& row, GeneratedWave const& wave);
-/// Which target was drawn for it.
+/// Fills the row's figures of the target drawn for it.
 void describe_drawn(WaveRow& row, DrawnTarget const& drawn);
-/// How long, how strong.
+/// Fills the row's duration and strength.
 void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& intensity);
 /// Its quality, and for each body its match where that body rocks.
 void describe_check(PreparedWave& wave, WaveCheck const& check);
