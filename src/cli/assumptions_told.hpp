@@ -1,4 +1,4 @@
-/// What a campaign assumes, for people and for scripts.
+/// Assumptions of a campaign, as text and as JSON.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ void add_groups(store::ResultsReader const& file, std::vector<std::string> const
 
 /// For people at a terminal.
 [[nodiscard]] std::string columns_text(std::vector<ListedGroup> const& groups);
-/// As src/store/COLUMNS.md has it.
+/// The text of src/store/COLUMNS.md.
 [[nodiscard]] std::string columns_markdown(std::vector<ListedGroup> const& groups);
 
 }  // namespace overturn::cli

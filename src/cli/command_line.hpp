@@ -21,7 +21,7 @@ enum ExitCode {
     refitted_otherwise = 4  ///< `fit` of another program's file, whose stored curves are others
 };
 
-/// What a verb does once its options are read: throws on failure, returns the exit code.
+/// Action of a verb once its options are read: throws on failure, returns the exit code.
 using Action = std::function<int()>;
 
 /// One verb. Values are those of std::string, std::int64_t, double, bool, an std::optional of the first three, or a

@@ -1,4 +1,4 @@
-/// What the verbs know, as figures.
+/// Figures of campaigns and records that the verbs draw.
 #pragma once
 
 #include <optional>

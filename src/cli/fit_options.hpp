@@ -1,4 +1,4 @@
-/// What several verbs take beside a results file.
+/// Options that several verbs take besides a results file.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace overturn::cli {
 
-/// What --beta-u and --confidence (none: the campaign's) may be. \throws InputError
+/// Checks --beta-u and --confidence (none: the campaign's). \throws InputError
 inline void check_fit_options(double beta_u, std::optional<double> confidence) {
     validate(beta_u >= 0 && std::isfinite(beta_u),
              "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", beta_u);

@@ -12,7 +12,7 @@
 
 namespace overturn::cli {
 
-/// What `fit` takes.
+/// Options of `fit`.
 struct FitOptions {
     std::string file;
     std::string stripes;
@@ -30,7 +30,7 @@ struct FitOptions {
     Unverified unverified;
 };
 
-/// What a table's intensities are: its column's name, the measure and unit that it states, and where trials were.
+/// Intensities of a table: its column's name, the measure and unit that it states, and the range of the trials.
 struct TableAxis {
     std::string option;              ///< "--stripes", for messages
     std::string column;              ///< "pga [g]"

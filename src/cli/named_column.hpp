@@ -25,12 +25,13 @@ struct NamedColumn {
 /// In lower case without what says nothing: "No. of Records", "num_records" and "n_records" are all "record".
 [[nodiscard]] std::string counted_things(std::string_view name);
 
-/// What the text round a table says of its intensities.
+/// Unit of a table's intensities by its text.
 struct IntensityText {
     std::string unit;                 ///< by the column's name or the text; empty: neither states one
     std::vector<std::string> unread;  ///< lines that are not understood
 };
-/// Of all rows that were handed out. \param column of the header \param line of the header
+/// Unit by all rows that were handed out. \param column of the header \param line of the header
+/// \throws InputError at a line that contradicts the name
 /// \throws InputError at a line that contradicts the name
 [[nodiscard]] IntensityText intensity_text(CellRows const& rows, std::string const& file, std::string_view column);
 

@@ -1,4 +1,4 @@
-/// What became of real bodies under the motions of a campaign, from a table.
+/// Outcomes of tests on real bodies under the motions of a campaign, from a table.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 
 namespace overturn::cli {
 
-/// How a test ended.
+/// Outcome of a test.
 enum class Outcome : std::int8_t { untested = -1, stood = 0, fell = 1 };
 
 /// A body that was tested, and the bodies of the campaign that stand for it.

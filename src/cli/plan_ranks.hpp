@@ -1,4 +1,4 @@
-/// How a campaign's blocks share themselves out among ranks, as `plan` foretells it.
+/// Forecast of `plan`: how a campaign's blocks spread over ranks, and how long they take.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// What a campaign will take of disk and memory, as `plan` says it.
+/// Forecast of `plan`: disk and memory that a campaign needs.
 #pragma once
 
 #include <string>

@@ -9,15 +9,15 @@ namespace overturn::cli {
 /// A message of several faults (config::joined_faults) is a line for each of the first 30.
 void print_error(std::string const& message);
 
-/// As print_error, but silent on ranks above 0, known from what launchers put into the environment: for errors that
-/// every rank meets, also before MPI is up.
+/// The same, silent on ranks above 0, which are known from the launcher's environment variables: for errors that every
+/// rank meets, also before MPI is up.
 void print_error_once(std::string const& message);
 
 struct Failure {
     std::string message;
     int code;  ///< to exit with
 };
-/// What the exception that is being handled means to the user: one without words of its own gets them here.
+/// The exception being handled, as a message for the user; one without a message of its own gets it here.
 /// \pre called in a catch block
 [[nodiscard]] Failure current_failure();
 

@@ -1,4 +1,4 @@
-/// What a report says of bodies that the results file does not hold as columns.
+/// Facts of bodies in a report that the results file does not hold as columns.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

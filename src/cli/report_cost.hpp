@@ -1,4 +1,4 @@
-/// How long a campaign took, as a report tells it.
+/// Time that a campaign took, for its report.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-/// What was asked of a campaign, as a report lists it.
+/// Settings of a campaign, as a report lists them.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>

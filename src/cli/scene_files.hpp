@@ -30,8 +30,8 @@ void add_record_options(Verb& verb, RecordOptions& options);
 /// Says on stderr what was used if that is more than the file named. \throws InputError
 [[nodiscard]] PlacedRecord load_motion(RecordOptions const& options);
 
-/// What was read, for `record` of a JSON answer: format, components, unit, time step, samples, duration, what was done
-/// to it. A reader can be checked by it.
+/// Facts of a record as it was read, for `record` of a JSON answer: format, components, unit, time step, samples,
+/// duration and changes. A reader of the JSON can check the record by them.
 [[nodiscard]] nlohmann::ordered_json record_json(PlacedRecord const& record);
 
 /// Each as "warning: ..." on stderr.

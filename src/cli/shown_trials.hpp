@@ -31,9 +31,9 @@ struct ChosenTrial {
 /// Them, rerun. Trials that have no history (at rest) are left out.
 [[nodiscard]] ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<ChosenTrial const> chosen);
 
-/// Of the trials to inspect, and of every body that some trial took to compliant points the nearest miss there,
-/// rerun. Twelve, or as many as there are bodies up to 24, shared fairly among the bodies; of a body those of one kind
-/// before the next, on points last.
+/// Histories of the trials to inspect, and of each body's nearest miss among trials on compliant points, rerun. At most
+/// twelve, or as many as there are bodies up to 24, shared fairly among the bodies. Of one body, those of one kind come
+/// before the next, trials on points last.
 [[nodiscard]] ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan,
                                        std::span<TellingTrial const> telling, store::ResultsReader const& file);
 

@@ -35,11 +35,11 @@ struct SpectraOfWaves {
     std::optional<SpectrumBand> targets;  ///< of the waves' own targets [m/s2], where these vary
 };
 
-/// Of the first `count` waves, unscaled, along their first axis. \throws InputError if there is none to show
+/// Spectra of the first `count` waves, unscaled, along their first axis. \throws InputError if there is none to show
 [[nodiscard]] SpectraOfWaves spectra_of_waves(CampaignInput const& input, CampaignSpec const& spec, std::int64_t count,
                                               double energy_damping);
 
-/// What the figure draws and --json prints: SI, null where nothing is known.
+/// Data of the figure, as --json prints them: SI, null where nothing is known.
 [[nodiscard]] nlohmann::ordered_json spectra_json(CampaignSpec const& spec, SpectraOfWaves const& spectra);
 
 }  // namespace overturn::cli

@@ -11,7 +11,7 @@ namespace overturn::cli {
 /// "14 deg", between 0 and 90 degrees [rad]. \throws InputError
 [[nodiscard]] double stated_alpha(std::string_view text);
 
-/// Of --restitution, from 0 to 1. \throws InputError
+/// Checked value of --restitution, from 0 to 1. \throws InputError
 [[nodiscard]] double stated_restitution(double value);
 
 /// A body file's, with its warnings on stderr. \param spectrum names what is asked for in messages: "a rocking

@@ -1,4 +1,4 @@
-/// What the columns of a table of stripes are, by their names and, where a name may be either, by all rows.
+/// Columns of a table of stripes by their names; where a name has two meanings, by all rows.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ inline constexpr std::size_t stripe_fields = 4;
 /// The field that a column's name is a word for.
 [[nodiscard]] std::optional<StripeField> stripe_field_of(NamedColumn const& column);
 
-/// What a column of trials by its name holds.
+/// Content of a column that is named as trials.
 enum class TrialsHeld : std::uint8_t { counts, labels, either };
 
 /// Labels where none of the outcomes is above 1 and the column, called by the name of one, numbers the rows, differs

@@ -1,4 +1,4 @@
-/// What of the results run, merge and fit print.
+/// Options for the sections of results that run, merge and fit print.
 #pragma once
 
 #include <string>

@@ -37,7 +37,7 @@ class KeptHistory : public Observer {
     std::vector<std::vector<double>> columns_;
 };
 
-/// What a history is of.
+/// Trial, body and wave of a history.
 struct HistoryOf {
     std::string title;
     BodySpec const& spec;   ///< whose base it is
@@ -47,7 +47,7 @@ struct HistoryOf {
     MeasureSpec const* measures;  ///< how V_WES is measured; null: not wanted
 };
 
-/// How many values of a quantity over time a figure is made of at most.
+/// Most values of a quantity over time in a figure.
 inline constexpr std::size_t for_a_page = 1500;
 inline constexpr std::size_t for_a_file = 6000;
 

@@ -30,7 +30,7 @@ struct VelocityUnit {
             throw InputError(std::string("--velocities: ") + error.what());
         }
     }
-    /// Of measures in a table; nothing where the user did not say.
+    /// Unit of measures in a table; empty where the user stated none.
     [[nodiscard]] std::optional<IntensityUnit> measures() const {
         auto const one = si();
         return symbol == usual ? std::optional<IntensityUnit>() : IntensityUnit{symbol, one};
@@ -42,7 +42,7 @@ struct VelocityUnit {
     }
     /// "1.3492 m/s", "134.92 kine".
     [[nodiscard]] std::string text(double mps) const { return number(mps) + ' ' + symbol; }
-    /// What the scripts of figures read as `velocity_unit`.
+    /// The value `velocity_unit` for the scripts that draw figures.
     [[nodiscard]] nlohmann::ordered_json json() const { return {{"symbol", symbol}, {"si", si()}}; }
 };
 

@@ -8,7 +8,7 @@
 
 namespace overturn::cli {
 
-/// Of verbs that read a finished file: with this it is read whatever became of it since.
+/// Option of verbs that read a finished file: the file is read even if it changed since it was written.
 struct Unverified {
     bool read_changed = false;
 

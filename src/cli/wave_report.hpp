@@ -1,4 +1,4 @@
-/// How right a wave is, for people and for programs.
+/// Quality of a wave, as text and as JSON.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@
 
 namespace overturn::config {
 
-/// Where a value comes from. by_default: no file states it, the program does.
+/// Origin of a value. by_default: no file states it, the program does.
 enum class Basis { published, measured, assumed, not_stated, by_default };
 
 /// "published", "measured", "assumed", "not stated", "default"

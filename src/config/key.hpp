@@ -1,4 +1,4 @@
-/// What a key of a campaign is, stated once: its readers take unit, range and default from here, and so does the
+/// Description of a key of a campaign, stated once: its readers take unit, range and default from here, and so does the
 /// reference that is made of it (`overturn list keys`).
 #pragma once
 
@@ -19,7 +19,7 @@
 
 namespace overturn::config {
 
-/// What may stand behind a key. A key that may be written in several ways has several of them.
+/// Form of a key's value. A key that may be written in several ways has several forms.
 enum class Form : unsigned {
     number = 1U,    ///< of the key's dimension, or a text with a unit of it
     integer = 2U,   ///< a whole number
@@ -34,7 +34,7 @@ enum class Form : unsigned {
 };
 [[nodiscard]] constexpr unsigned bit(Form form) { return static_cast<unsigned>(form); }
 
-/// What is taken where a key is absent.
+/// Value of an absent key.
 struct Default {
     /// required: nothing is, the key must be there. none: its absence says something. value: what is stated here.
     /// said: what the campaign's other keys make of it, in words.

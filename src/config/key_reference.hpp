@@ -8,7 +8,7 @@
 
 namespace overturn::config {
 
-/// Where a table may stand: "waves.target", and what other keys must say for that: "waves.source = harmonic".
+/// Place of a table: its path "waves.target", and its condition on other keys "waves.source = harmonic".
 struct TablePlace {
     std::string path;       ///< empty: the file itself
     bool is_list = false;   ///< [[path]]
@@ -29,10 +29,10 @@ struct PlacedTable {
 /// "[waves.target], [waves.vertical.target], where waves.source = spectrum-compatible"; "" of the file itself.
 [[nodiscard]] std::string heading_of(PlacedTable const& placed);
 
-/// What may be written behind a key: "time [s] above 0 or list of them", "one of each, ensemble, none".
+/// Text of the values that a key takes: "time [s] above 0 or list of them", "one of each, ensemble, none".
 [[nodiscard]] std::string takes_text(Key const& key);
 
-/// What an absent key means: "required", "optional", "0.01 s", "a tenth of the duration".
+/// Text of an absent key's meaning: "required", "optional", "0.01 s", "a tenth of the duration".
 [[nodiscard]] std::string default_text(Key const& key);
 
 /// The meaning, behind the condition under which the key has one: "where shape = points: ...".

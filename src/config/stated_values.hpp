@@ -1,4 +1,4 @@
-/// What a file states, key by key, for comparing two of them: comments, order and layout do not count.
+/// Values that a file states, key by key, to compare two files: comments, order and layout do not count.
 #pragma once
 
 #include <map>

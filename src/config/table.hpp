@@ -22,17 +22,17 @@
 
 namespace overturn::config {
 
-/// What kind of value stands behind a key.
+/// Type of a key's value.
 enum class Kind { absent, number, text, boolean, list, table };
 
-/// What is known of a number only when it is read; else its key says it.
+/// Default, range and dimension of a number that are known only when it is read; its key describes the rest.
 struct Given {
     std::optional<double> otherwise = {};     ///< [SI] of a key whose default is said in words
     std::optional<Range> range = {};          ///< within that of the key
     std::optional<Dimension> dimension = {};  ///< of a key whose unit is that of another
 };
 
-/// As Given, of a whole number.
+/// The same for a whole number.
 struct GivenInteger {
     std::optional<std::int64_t> otherwise = {}, least = {}, most = {};
 };
@@ -51,7 +51,7 @@ class Table {
     /// \param file the name shown in messages. \throws InputError on a syntax error.
     [[nodiscard]] static Table parse(std::string_view text, std::string file);
 
-    /// As parse, with "key.sub=value" settings applied on top (`bodies.0.friction=0.5` reaches into an array).
+    /// The same with "key.sub=value" settings applied on top (`bodies.0.friction=0.5` reaches into an array).
     [[nodiscard]] static Table parse(std::string_view text, std::string file, std::span<std::string const> settings);
 
     [[nodiscard]] bool has(std::string_view key) const { return kind(key) != Kind::absent; }
@@ -149,7 +149,7 @@ class Table {
     /// in place of a value, `basis` and `source` of a table for all of it, or a table `basis` with an entry per key.
     [[nodiscard]] std::vector<InputValue> inputs() const;
 
-    /// Where `key` stands (or this table, if it is absent).
+    /// Place of `key` (of this table, if it is absent).
     [[nodiscard]] Location where(std::string_view key = {}) const;
     /// Throws InputError at `key`; the message is `key: <message>`.
     [[noreturn]] void fail(std::string_view key, std::string_view message) const;

@@ -1,4 +1,4 @@
-/// What a body stands on: the points of its base and the compliant pad under them.
+/// The support of a body on points: the points of its base and the compliant pad under them.
 #pragma once
 
 #include <optional>

@@ -1,4 +1,4 @@
-/// What the integration on compliant points is told about accuracy.
+/// Accuracy settings of the integration on compliant points.
 #pragma once
 
 #include "model/run_out.hpp"

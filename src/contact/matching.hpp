@@ -19,11 +19,11 @@ namespace overturn {
 [[nodiscard]] MatchedFooting match_restitution(RigidBody const& body, BasePlan const& base, Pad const& pad,
                                                ContactAccuracy const& accuracy = {});
 
-/// What the body stands on in the end: as it is known beforehand, or matched at the usual step; a polygon as it is
-/// stated, of a restitution that is not known.
+/// Footing of the body: the one known beforehand, or one matched at the usual step. A polygon stays as stated, and its
+/// restitution is not known.
 [[nodiscard]] MatchedFooting matched_footing(RigidBody const& body, Footing const& footing);
 
-/// What a trial says of the base that it stood on.
+/// Fills the fields of a trial that describe its base.
 template <class Quantities> void fill_match(MatchedFooting const& match, Quantities& own) {
     own.restitution = match.restitution;
     own.normal_restitution = match.pad.normal_restitution;

@@ -11,8 +11,7 @@
 
 namespace overturn {
 
-/// Where the body starts: at rest, settled under its weight, unless stated. Anchors stand where the points stood
-/// upright.
+/// State at the start: at rest, settled under its weight, unless stated. Anchors stand where the points stood upright.
 struct ContactStart {
     double sway_m = 0;  ///< of the centre of gravity
     double rise_m = 0;  ///< of the centre of gravity above its settled height
@@ -20,7 +19,7 @@ struct ContactStart {
     double sway_mps = 0, rise_mps = 0, velocity_radps = 0;
 };
 
-/// What contact has to say beside every model's outcome.
+/// Quantities of the contact model beside every model's outcome.
 struct ContactQuantities {
     double peak_crush_m = never;
     double peak_contact_force_ratio = never;

@@ -1,4 +1,4 @@
-/// What the trials of bodies on points have in common between the steps that lanes take, in the plane and in space.
+/// Common part of trials of bodies on points, in the plane and in space, between the steps that lanes take.
 #pragma once
 
 #include <algorithm>
@@ -37,7 +37,7 @@ template <class Derived, class Field, class Spot, class Lane> class PointRun {
     /// A whole number of steps per sample. \param shorter factor on the longest that damping allows \param
     /// least_inertia_m2 over the mass, about the axis over which the body turns easiest
     void fill_steps(ContactAccuracy const& accuracy, double shorter, double least_inertia_m2);
-    /// Of the usual step the longest under which springs and dampers that grip stay stable.
+    /// Longest step at which springs and dampers that grip stay stable, over the usual step [-].
     [[nodiscard]] double grip_share(double least_inertia_m2) const;
     void fill_law();
     /// A body that starts moving, or may not be held, is shaken from the first sample.
@@ -45,11 +45,11 @@ template <class Derived, class Field, class Spot, class Lane> class PointRun {
     [[nodiscard]] double time_s() const {
         return get(Field::origin) + get(Field::index) * get(Field::time_step) + get(Field::substep) * get(Field::step);
     }
-    /// Of motion and unbalance, over the mass: below it a body may be held at rest.
+    /// Energy of motion and unbalance over the mass, below which a body may be held at rest [J/kg].
     [[nodiscard]] double quiet_energy() const {
         return quiet_energy_share * planar_.gravity_mps2 * planar_.centre_height_m;
     }
-    /// How far springs stretch whose points hold, under the largest normal force so far.
+    /// Elastic stretch of the springs of points that hold, under the largest normal force so far [m].
     [[nodiscard]] double elastic_way() const {
         double const most = std::max(get(Field::most_force), planar_.gravity_mps2);
         double const w = planar_.vertical_radps();

@@ -1,4 +1,4 @@
-/// How this process takes memory from the system.
+/// Memory of this process: keeps what was freed.
 #pragma once
 
 namespace overturn {

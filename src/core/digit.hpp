@@ -1,4 +1,4 @@
-/// Which characters are digits and letters, whatever the locale.
+/// Tests for digits and small letters, independent of the locale.
 #pragma once
 
 namespace overturn {

@@ -9,7 +9,7 @@
 
 namespace overturn {
 
-/// Where in a text file something stands; line and column count from 1, 0 means "not known".
+/// Place in a text file; line and column count from 1, 0 means "not known".
 struct Location {
     std::string file;
     int line = 0;

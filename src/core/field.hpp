@@ -60,7 +60,7 @@ template <class Row, class Value> Row row_of(Value Row::*);
 template <class Row, class Value> Value value_of(Value Row::*);
 }  // namespace field_detail
 
-/// Where a member lies in its struct [bytes]. `Row`: the struct, where the member is of one that it derives from.
+/// Offset of a member in its struct [bytes]. `Row`: the struct, where the member is of one that it derives from.
 template <auto Member, class Row = decltype(field_detail::row_of(Member))> [[nodiscard]] std::size_t offset_of() {
     Row const row{};
     return static_cast<std::size_t>(reinterpret_cast<std::byte const*>(&(row.*Member))

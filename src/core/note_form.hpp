@@ -1,4 +1,4 @@
-/// How notes are written: as they are, or each line in a form that programs read.
+/// Form of notes on stderr: as they are, or each line in a form that programs read.
 #pragma once
 
 #include <string>

@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// What stands between separators, empty parts too; one empty part of an empty text. The parts are of `text`.
+/// Parts of `text` between separators, empty ones too; an empty text has one empty part. The parts are views of `text`.
 [[nodiscard]] inline std::vector<std::string_view> parts_of(std::string_view text, char separator) {
     std::vector<std::string_view> parts;
     for (std::size_t from = 0; from <= text.size();) {

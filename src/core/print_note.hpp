@@ -1,4 +1,4 @@
-/// What a run tells beside its results: lines on stderr, which may be full, closed or gone without harm to the work.
+/// Notes of a run beside its results: lines on stderr, which may be full, closed or gone without harm to the work.
 #pragma once
 
 #include <string>

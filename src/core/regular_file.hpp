@@ -10,8 +10,8 @@ namespace overturn {
 /// More than this is no table, no record and no campaign [byte].
 inline constexpr std::size_t largest_input_bytes = std::size_t{1} << 30;
 
-/// What lies at a path in place of a file: "a folder", "a pipe", "a device", "a socket"; nothing for a regular file and
-/// where nothing lies.
+/// Kind of what lies at a path in place of a file: "a folder", "a pipe", "a device", "a socket"; empty for a regular
+/// file and where nothing lies.
 [[nodiscard]] std::string what_is_no_file(std::filesystem::path const& path);
 
 /// All bytes of a regular file. Never waits: a pipe or device is refused before it is read.

@@ -13,7 +13,7 @@ inline constexpr double pi = std::numbers::pi;
 /// One gal [m/s2].
 inline constexpr double gal_mps2 = 0.01;
 
-/// What a quantity measures; decides which unit symbols are accepted.
+/// Dimension of a quantity; decides which unit symbols are accepted.
 enum class Dimension { none, time, length, mass, inertia, velocity, acceleration, angle, frequency, pressure };
 
 /// SI value of one `symbol` of the given dimension, e.g. ("gal", acceleration) -> 0.01.

@@ -1,4 +1,4 @@
-/// What stands for a file that may not be passed on: its hash, so that who has it can show that it is the one.
+/// Text in place of a file that may not be passed on: its hash, by which an owner can show that a file is the one.
 #pragma once
 
 #include <cstddef>

@@ -23,7 +23,7 @@ struct Sample {
     std::vector<PreparedWave> waves;
 };
 
-/// What one setting gave and took.
+/// Results and time of one setting.
 struct Run {
     double seconds = 0;          ///< CPU, all of it
     std::int64_t units = 0;      ///< trials or waves that it was for

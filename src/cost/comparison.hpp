@@ -1,4 +1,4 @@
-/// How far the trials of one setting are from those of another: verdicts, peaks and distributions.
+/// Differences between the trials of two settings: verdicts, peaks and distributions.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace overturn::cost {
 
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
-/// Of a set of errors; not_known where it is empty.
+/// Statistics of a set of errors; not_known where it is empty.
 struct Spread {
     std::int64_t count = 0;
     double median = not_known;

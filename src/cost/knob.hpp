@@ -1,4 +1,4 @@
-/// What a study turns: the keys of a campaign that buy accuracy with time, and the values to try.
+/// Knobs of a cost study: the keys of a campaign that buy accuracy with time, and the values to try.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace overturn::cost {
 
-/// What a knob acts on, and so what is timed and what its error is.
+/// Part of a campaign that a knob acts on, which is timed and whose error is measured.
 enum class Acts { trials, ou_v_e, v_wes, waves, spectra };
 
 /// One position of a knob.
@@ -34,7 +34,7 @@ struct Knob {
 /// The knobs this campaign has, each with the campaign's own position among its settings.
 [[nodiscard]] std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec);
 
-/// What every trial is held against: order 12, 16 sub-steps, every tolerance near rounding, by keys that campaigns
+/// Reference settings of every trial: order 12, 16 sub-steps, every tolerance near rounding, by keys that campaigns
 /// themselves no longer state; on compliant points the campaign's own step.
 [[nodiscard]] std::vector<std::string> reference_settings();
 
@@ -51,7 +51,7 @@ inline constexpr char const* contact_step = "contact_step";
 /// friction and others none: sliding cannot be forced on all).
 [[nodiscard]] std::vector<std::string> effects_reference_settings(CampaignSpec const& spec);
 
-/// What a user writes for auto.
+/// Setting that asks for automatic effects.
 inline constexpr char const* automatic_effects = "effects={mode=\"auto\"}";
 
 /// Phase per panel of the reference quadrature [rad].

@@ -6,7 +6,7 @@
 
 namespace overturn::cost {
 
-/// What one setting costs and how far it is off.
+/// Cost and error of one setting.
 struct Point {
     double seconds = 0;
     double error = 0;  ///< NaN where nothing could be compared: such a point is on no front

@@ -1,4 +1,4 @@
-/// What each estimator of rare events has to spend for its scatter, on a campaign's own body and waves.
+/// Cost of each rare-event estimator for its scatter, on a campaign's own body and waves.
 #pragma once
 
 #include <functional>
@@ -30,9 +30,9 @@ struct RareCost {
     std::vector<RarePoint> points;
 };
 
-/// Of the first body at the level in the middle: crude by the binomial law, the pulse mixture where waves are linear in
-/// their normals, subset simulation, each at several efforts. Everything but the seconds is a pure function of the
-/// campaign. \param done told the share of the work that is done \pre the campaign asks for rare events
+/// Study of the first body at the level in the middle: crude sampling by the binomial law, the pulse mixture where
+/// waves are linear in their normals, and subset simulation, each at several efforts. Pure, except for the seconds.
+/// \param done receives the share of the work that is done \pre the campaign asks for rare events
 [[nodiscard]] RareCost study_rare(CampaignSpec const& spec, std::function<void(double)> const& done);
 
 }  // namespace overturn::cost

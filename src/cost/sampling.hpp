@@ -1,5 +1,5 @@
-/// What the number of waves does: how uncertain P(overturn) is, what that costs, and whether it or the arithmetic
-/// decides a campaign's accuracy.
+/// Effect of the number of waves: uncertainty of P(overturn), its cost, and whether sampling or arithmetic limits a
+/// campaign's accuracy.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct Sampling {
 [[nodiscard]] Sampling study_sampling(CampaignSpec const& spec, Plan const& plan,
                                       std::vector<std::int64_t> const& numbers);
 
-/// Which error decides.
+/// The larger of the two errors.
 enum class Dominates { sampling, numerical, unknown };
 
 /// Numerical against sampling error of P(overturn), both as means over all stripes.

@@ -1,4 +1,4 @@
-/// What assumed numbers decide: each moved to both ends of its range on its own, under the same waves.
+/// Sensitivity to assumed numbers: each is moved to both ends of its range alone, under the same waves.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@
 
 namespace overturn::cost {
 
-/// How far a number is moved that states no range of its own.
+/// Relative change of a number that states no range [-].
 inline constexpr double usual_share = 0.1;
 
 /// An assumed number, or a word with a range of numbers, and where it was moved to.
@@ -27,7 +27,7 @@ struct VariedInput {
     bool range_stated = false;
 };
 
-/// What is assumed and was not moved.
+/// An assumed input that was not moved.
 struct UnvariedInput {
     std::string key, value, why;
 };
@@ -46,7 +46,7 @@ struct Shift {
     std::optional<Interval> median_interval;  ///< of it, by resampled waves, the same for both; open ends: too few
     Counts at_design_basis;
     std::int64_t design_passed = 0, design_no_longer = 0;  ///< waves by which that P differs
-    /// Of so uneven a split of these by chance (McNemar 1947, exact); 1 where none differs.
+    /// Chance of so uneven a split of these (McNemar 1947, exact); 1 where none differs.
     double design_p_value = 1;
 
     [[nodiscard]] std::int64_t flips() const { return passed + no_longer; }

@@ -1,5 +1,4 @@
-/// What the steps of the integration do to every quantity that a limit state may be set to, beside what a last bit
-/// does.
+/// Effect of the integration's step on every quantity that a limit state may use, beside the effect of a last bit.
 #pragma once
 
 #include <cstdint>

@@ -19,7 +19,7 @@ class ChunkExtremes {
         double strongest = 0;            ///< largest |horizontal|
         double lowest = 0, highest = 0;  ///< vertical
     };
-    /// Of the whole chunk that begins at `sample`, if one does.
+    /// Extremes of the whole chunk that begins at `sample`; null if none does.
     [[nodiscard]] Chunk const* at(std::size_t sample) const {
         return sample % samples == 0 && sample / samples < chunks_.size() ? &chunks_[sample / samples] : nullptr;
     }

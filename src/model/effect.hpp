@@ -18,7 +18,7 @@ using EffectMask = std::uint32_t;
 /// Is every effect of `part` in `whole`?
 [[nodiscard]] constexpr bool holds_all(EffectMask whole, EffectMask part) { return (part & ~whole) == 0; }
 
-/// What `overturn list` says of an effect.
+/// Line of an effect in `overturn list`.
 struct EffectEntry {
     Effect value;
     std::string_view name;

@@ -1,4 +1,4 @@
-/// What shakes a body: one ground motion at one level.
+/// Excitation of a body: one ground motion at one level.
 #pragma once
 
 #include <limits>

@@ -1,4 +1,4 @@
-/// What happens during a trial, instant by instant.
+/// History of a trial, instant by instant.
 #pragma once
 
 #include <span>

@@ -18,7 +18,7 @@
 
 namespace overturn {
 
-/// What a model is and brings with it.
+/// Properties of a model: its effects, verdicts, reasons and stored quantities.
 struct ModelTraits {
     std::string_view name;                        ///< "sliding"
     std::int64_t number = 0;                      ///< in results files, from 1: never renumber
@@ -41,7 +41,7 @@ template <class Row> [[nodiscard]] std::vector<std::byte> default_row_of() {
     return {bytes.begin(), bytes.end()};
 }
 
-/// Where the trials of a batch stood when a model ended them early, for one that takes them over and knows how.
+/// States of a batch's trials where a model ended them early, for a later model that can go on from them.
 class Checkpoints {
   public:
     Checkpoints() = default;
@@ -73,10 +73,10 @@ class Model {
     virtual ~Model() = default;
 
     [[nodiscard]] virtual ModelTraits const& traits() const = 0;
-    /// Of the effects that this model brings, those that such a trial can have at all. Default: all.
+    /// Effects that this model adds and that such a trial can have at all. Default: all.
     [[nodiscard]] virtual EffectMask possible(Trial const& trial) const;
-    /// Of the effects that this model brings, those that would act on a trial. \param said what a cheaper model that
-    /// ran says of it; null: none ran yet. Default: what that model itself calls for.
+    /// Effects that this model adds and that would act on a trial. \param said outcome of a cheaper model that ran;
+    /// null: none ran yet. Default: the effects that this outcome itself requires.
     [[nodiscard]] virtual Requirement required_of(Trial const& trial, Outcome const* said) const;
     /// Fills the batch's outcomes. Where the trials' order or company changes, no bit does.
     [[nodiscard]] virtual std::unique_ptr<Checkpoints> run(Batch const& batch) const = 0;

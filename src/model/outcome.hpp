@@ -1,4 +1,4 @@
-/// What every model answers about a trial.
+/// Outcome of a trial that every model gives.
 #pragma once
 
 #include "core/field.hpp"
@@ -35,7 +35,7 @@ struct Outcome {
 
 template <> [[nodiscard]] Fields const& fields_of<Outcome>();
 
-/// Of a trial that no model ran, for this reason: every quantity is unknown.
+/// Outcome of a trial that no model ran, for this reason: every quantity is unknown.
 [[nodiscard]] Outcome unknown_outcome(FailureReason reason);
 
 }  // namespace overturn

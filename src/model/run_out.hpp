@@ -1,4 +1,4 @@
-/// How long a body is followed once its motion is over.
+/// Time that a body is followed after its motion.
 #pragma once
 
 namespace overturn {
@@ -7,7 +7,7 @@ namespace overturn {
 /// followed until it rests, for this long at most [s]. A body that slides at v still slides then where its kinetic
 /// friction is below v / (60 s g), 0.0005 for 0.3 m/s; its slip is what it was by then.
 inline constexpr double longest_after_s = 60;
-/// How often that is looked at, in samples of the motion.
+/// Interval of the checks for rest, in samples of the motion.
 inline constexpr int run_out_samples = 8;
 
 }  // namespace overturn

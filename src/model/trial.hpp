@@ -23,7 +23,7 @@ struct Trial {
     EffectMask handled_later = 0;
 };
 
-/// What a planar model simulates of the excitation: no transverse component, the vertical one if it is among
+/// Part of the excitation that a planar model simulates: no transverse component, the vertical one if it is among
 /// `simulated`.
 [[nodiscard]] Excitation planar_excitation(Trial const& trial);
 

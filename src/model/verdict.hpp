@@ -1,5 +1,4 @@
-/// How a trial may end, and what everything above the models asks of an end: did the body move, was it decided, did it
-/// fall.
+/// Verdicts of a trial, and their properties: did the body move, was it decided, did it fall.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// What was read of a document and of the files it names, value by value.
+/// Values read from a document and from the files it names.
 #pragma once
 
 #include <cstddef>

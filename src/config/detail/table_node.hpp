@@ -1,4 +1,4 @@
-/// What stands behind a Table: seen by the sources of table.hpp only.
+/// Implementation of Table: only the sources of table.hpp include it.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace overturn::config {
 
-/// Where a value comes from, as far as a file says.
+/// Origin of a value, as far as a file states it.
 struct Origin {
     Basis basis = Basis::not_stated;
     std::string source = {};
@@ -71,7 +71,7 @@ struct Table::Node {
                                               std::optional<std::size_t> place) const;
     /// \throws InputError where an origin is wrongly stated
     [[nodiscard]] Origin origin_of(std::string_view key) const;
-    /// What is said of `key`: more than one thing where several tables may stand in this place.
+    /// Descriptions of `key`: several where several tables may stand in this place.
     [[nodiscard]] std::vector<Key const*> descriptions(std::string_view key) const;
     /// The tables that may stand at `key`, as far as they are described.
     [[nodiscard]] std::vector<KeyTable const*> tables_at(std::string_view key) const;

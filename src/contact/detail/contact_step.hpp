@@ -8,7 +8,7 @@
 
 namespace overturn::contact {
 
-/// What a lane holds of the body. SI, forces over the mass: accelerations.
+/// Fields of the body in a lane. SI; forces over the mass, as accelerations.
 enum class ContactField : int {
     // state
     sway,      ///< x of the centre of gravity
@@ -74,7 +74,7 @@ enum class ContactField : int {
     count
 };
 
-/// What a lane holds of each point of the base.
+/// Fields of each point of the base in a lane.
 enum class Spot : int {
     offset,     ///< X, from the body's axis
     stiffness,  ///< k / m

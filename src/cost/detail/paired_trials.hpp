@@ -1,4 +1,4 @@
-/// How the trials of some waves ended, kept so that two campaigns can be laid side by side wave by wave.
+/// Verdicts of the trials of some waves, kept so that two campaigns can be compared wave by wave.
 #pragma once
 
 #include <cstdint>
@@ -24,7 +24,7 @@ class PairedTrials {
     [[nodiscard]] std::optional<double> log_median(std::size_t body, std::size_t limit,
                                                    std::span<double const> weights) const;
     [[nodiscard]] Counts counts(std::size_t body, std::size_t limit, std::optional<double> amplitude) const;
-    /// What is different from `before`, but for medians.
+    /// Differences from `before`, except medians.
     [[nodiscard]] Shift shift_from(PairedTrials const& before, std::size_t body, std::size_t limit) const;
     [[nodiscard]] std::optional<double> design_basis() const { return design_basis_; }
 

@@ -9,7 +9,7 @@
 
 namespace overturn::cost {
 
-/// What a step's time grows with: all waves of the sample, or the few that are enough for the knobs that act on waves.
+/// Waves that a step's time grows with: all of the sample, or the few that are enough for the knobs that act on waves.
 enum class Extent { all, few };
 
 /// Waves for the knobs that act on waves: one is much like another.

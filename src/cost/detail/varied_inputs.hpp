@@ -1,4 +1,4 @@
-/// Which inputs a study of sensitivity moves.
+/// Inputs that a study of sensitivity varies.
 #pragma once
 
 #include <vector>
