@@ -36,7 +36,7 @@ class CellRows {
     /// The next row, of as many cells as the header, or nothing after the last. \throws InputError
     [[nodiscard]] std::optional<std::vector<Cell>> next();
 
-    /// Of the row handed out last, or of the header before any.
+    /// Number of the row's line handed out last, or of the header before any.
     [[nodiscard]] int line() const { return lines_.number(); }
 
     /// Comments and prose, of all rows handed out so far.
@@ -44,7 +44,7 @@ class CellRows {
 
     /// 1, yes, true; 0, no, false; nothing of other words.
     [[nodiscard]] static std::optional<bool> yes_or_no(Cell const& cell);
-    /// What a cell is that was to be a number: one with a decimal comma, or none.
+    /// Why a cell is no number: it has a decimal comma, or none is there.
     [[nodiscard]] static std::string_view why_no_number(Cell const& cell);
 
     /// \throws InputError at a cell of the row handed out last, or of the header before any

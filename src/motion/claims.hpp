@@ -1,5 +1,5 @@
-/// What the text of a file of numbers claims of them: prose above them, comments. Each line is used, contradicts what
-/// the user states, or is listed as not understood.
+/// Claims of a file's text about its numbers: prose above them, comments. Each line is used, contradicts what the user
+/// states, or is listed as not understood.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,8 @@ namespace overturn {
 
 class Claims {
   public:
-    /// Of accelerations, or of what a table's column holds: an acceleration, a velocity or a length.
+    /// Claims about accelerations, or about a table's column of another dimension: an acceleration, a velocity or a
+    /// length.
     explicit Claims(Dimension of = Dimension::acceleration) : of_(of) {}
 
     /// Looks for units ("in m/s/s", "(gal)", "units: g"), quantities ("velocity in cm/s", "M/S", "counts"), the time
@@ -41,7 +42,7 @@ class Claims {
     /// SI value of one unit of the times.
     [[nodiscard]] std::optional<double> time_unit_s() const { return time_unit_.value; }
     [[nodiscard]] int time_unit_line() const { return time_unit_.line; }
-    /// What else the numbers are called, "velocities"; empty if nothing.
+    /// Another quantity that the text calls the numbers, "velocities"; empty if none.
     [[nodiscard]] std::string const& other() const { return other_; }
     /// Are the numbers called accelerations anywhere?
     [[nodiscard]] bool accelerations() const { return accelerations_; }
@@ -113,7 +114,7 @@ class Claims {
         bool rough = false, other = false;
         [[nodiscard]] bool is_met_by(double found, double unit_of_numbers) const;
     };
-    /// What a quantity is called that is not the numbers' own; empty if it is, or is none.
+    /// Name of a quantity other than the numbers' own; empty if it is their own, or none.
     [[nodiscard]] std::string_view other_than_own(Quantity quantity) const;
     [[nodiscard]] bool take_unit(std::string const& lower, int number);
     [[nodiscard]] bool take_other_quantity(std::string_view line, std::string const& lower, int number);

@@ -1,4 +1,4 @@
-/// What the name of a column says of its numbers: quantity, unit, component.
+/// Meaning of a column by its name: quantity, unit, component.
 #pragma once
 
 #include <optional>
@@ -49,7 +49,7 @@ struct ColumnRole {
 /// none.
 [[nodiscard]] bool is_period_name(std::string_view name);
 
-/// Of its frequencies, "f", "freq_hz", "Frequency (Hz)"? "omega" is none.
+/// Is it the name of a spectrum's frequencies, "f", "freq_hz", "Frequency (Hz)"? "omega" is none.
 [[nodiscard]] bool is_frequency_name(std::string_view name);
 
 }  // namespace overturn

@@ -13,8 +13,8 @@ namespace overturn {
 /// is none of the dimension's: acceleration, velocity, length, time. Capitals do not count.
 [[nodiscard]] std::optional<double> unit_spelled(std::string_view text, Dimension dimension);
 
-/// What stands in the brackets of a column's name, "acceleration (g)", of several those that hold a unit, "Se(T) (g)",
-/// or behind its last blank or underscore, "ax_mps2"; empty without either.
+/// Text of the unit in a column's name: in its brackets, "acceleration (g)", of several those that hold a unit, "Se(T)
+/// (g)", or behind its last blank or underscore, "ax_mps2"; empty without either.
 struct UnitText {
     std::string_view text;
     bool bracketed = false;

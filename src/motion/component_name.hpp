@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// Where a component points to, as far as its name tells.
+/// Direction of a component, as far as its name states it.
 enum class Direction { unknown, horizontal, up, down };
 
 [[nodiscard]] constexpr bool is_vertical(Direction direction) {

@@ -1,5 +1,5 @@
-/// What is left of a recorded motion's velocity and displacement when it ends: the ground has come to rest by then, so
-/// it is the record's baseline that drifts, and PGV and PGD drift with it.
+/// Residual velocity and displacement at the end of a recorded motion. The ground has come to rest by then, so it is
+/// the record's baseline that drifts, and PGV and PGD drift with it.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// Of the horizontal component, from rest.
+/// Residuals of the horizontal component, from rest.
 struct Drift {
     double pgv_mps = 0;             ///< [m/s]
     double pgd_m = 0;               ///< [m]

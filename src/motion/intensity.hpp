@@ -24,7 +24,7 @@ struct Intensity {
 /// The same of the horizontal component; vector_pga_mps2 of both.
 [[nodiscard]] Intensity intensity_of(GroundMotion const& motion);
 
-/// What became of the peaks of each component: "PGA -4.67 %, PGV +0.02 %, PGD +0 %; vertical PGA -9 %, PGV ...".
+/// Changes of the peaks of each component: "PGA -4.67 %, PGV +0.02 %, PGD +0 %; vertical PGA -9 %, PGV ...".
 [[nodiscard]] std::string changes_text(GroundMotion const& from, GroundMotion const& to);
 
 }  // namespace overturn

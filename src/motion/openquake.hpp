@@ -10,9 +10,9 @@ namespace overturn {
 
 /// A hazard curve of an export, and what is to be said of it.
 struct OpenQuakeHazard {
-    /// Of two columns, "sa(1 s) [g], annual_exceedance": the frequency of a Poisson process, -ln(1 - poe) / t, where
-    /// poe is the probability of exceedance in the investigation time t that the first line states. Levels of certainty
-    /// (poe 1) or of none (0) are left out.
+    /// The curve as two columns, "sa(1 s) [g], annual_exceedance": the frequency of a Poisson process, -ln(1 - poe) /
+    /// t, where poe is the probability of exceedance in the investigation time t that the first line states. Levels of
+    /// certainty (poe 1) or of none (0) are left out.
     std::string table;
     std::vector<std::string> remarks;
 };

@@ -24,7 +24,7 @@ struct PairTable {
 /// Looks at a row and the one before it (null: none), and throws InputError if it may not be.
 using RowCheck = std::function<void(Pair const&, Pair const*)>;
 
-/// What a table of two columns holds.
+/// Form of a table of two columns: its meaning, its checks and its names.
 struct PairForm {
     std::string_view meaning;  ///< for messages: "period and value"
     RowCheck check = {};       ///< of each row; none: the caller checks them

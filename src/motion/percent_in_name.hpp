@@ -1,4 +1,4 @@
-/// What a percentage says in the name or the text of a spectrum: a damping, or how often a hazard is exceeded.
+/// Percentages in the name or the text of a spectrum: a damping, or a hazard's probability of exceedance.
 #pragma once
 
 #include <string>

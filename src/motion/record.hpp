@@ -12,7 +12,7 @@
 
 namespace overturn {
 
-/// What is known about a record besides its bytes. Nothing that is missing is ever guessed.
+/// Statements about a record besides its bytes. Nothing that is missing is ever guessed.
 struct RecordRequest {
     std::string name = "record";             ///< the file's name, for messages
     std::string format = "auto";             ///< a name of record_formats(), or "auto": decided by the content
@@ -37,8 +37,8 @@ void state_unit(RecordRequest& request, std::string_view text);
 /// is missing or contradicts what the file says.
 [[nodiscard]] Recording read_recording(std::string_view content, RecordRequest const& request);
 
-/// What files of one station, event and time have in common, from their headers alone; empty if `head`, the beginning
-/// of a file, does not say it or its format has several components to a file anyway.
+/// Common key of the files of one station, event and time, from their headers alone; empty if `head`, the beginning of
+/// a file, does not state it, or its format has several components to a file anyway.
 [[nodiscard]] std::string station_of_record(std::string_view head);
 
 /// A table under a head of its own: how it is recognised, and what its head leaves unsaid. Everything else are claims
@@ -50,7 +50,7 @@ struct TableFormat {
 
 using RecordReader = Recording (*)(std::string_view content, RecordRequest const& request);
 
-/// How a format is recognised (by content, never by the file's extension) and read.
+/// A format: its recognition (by content, never by the file's extension) and its reader.
 struct RecordFormat {
     bool (*recognises)(std::string_view content);
     RecordReader read;

@@ -1,4 +1,4 @@
-/// What a record file holds: named components of one station, and how they are placed into a GroundMotion.
+/// Content of a record file: named components of one station, and their placement into a GroundMotion.
 #pragma once
 
 #include <span>
@@ -29,7 +29,7 @@ struct Recording {
     std::vector<std::string> unread = {};  ///< its lines of text that are not understood
 };
 
-/// Which components of a file become part of the motion.
+/// Components of a file that become part of the motion.
 enum class ComponentChoice {
     file,        ///< all that the file holds
     horizontal,  ///< one horizontal component only

@@ -44,7 +44,7 @@ struct FixedFormat {
 void append_fixed(TextLines& lines, FixedFormat format, std::size_t count, std::string const& file,
                   std::vector<double>& values);
 
-/// What stands between any of these characters, without what is empty. The parts are of `text`.
+/// Parts between any of these characters, without empty ones. The parts are views of `text`.
 [[nodiscard]] std::vector<std::string_view> parted_at(std::string_view text, std::string_view separators);
 
 /// In lower case (ASCII letters only).

@@ -20,7 +20,7 @@ struct TextTable {
     std::vector<TextLine> notes;              ///< comments between and below them, as many as above at most
     std::vector<std::vector<double>> column;  ///< of equal length, but for a list's last row
     std::vector<int> line;                    ///< of each row
-    /// How finely a column's numbers are printed: most digits behind the point, most significant ones.
+    /// Precision of a column's printed numbers: most digits behind the point, most significant ones.
     struct Digits {
         int decimals = 0, figures = 0;
     };
@@ -37,7 +37,7 @@ struct TextTable {
 
 inline constexpr int head_lines_at_most = 250;
 
-/// What a table is read as.
+/// Form in which a table is read.
 struct TableForm {
     std::string_view begin_with = "Give columns time,a_horizontal";  ///< what to do about one without numbers
     std::size_t columns = 0;                                         ///< that it must have; 0: any number

@@ -17,7 +17,7 @@ namespace overturn::output {
 /// three at most. Without a named level: the lowest, a middle one and the highest. Places, rising.
 [[nodiscard]] std::vector<std::size_t> answer_levels(LevelSpec const& levels);
 
-/// What the answer is made of; all outlive it.
+/// Input of the answer; all outlive it.
 struct Answered {
     CampaignSpec const& spec;
     Statistics const& statistics;

@@ -15,7 +15,7 @@ namespace overturn::output {
 /// overturning first. \param analysis of these statistics, at this confidence
 [[nodiscard]] std::vector<Table> campaign_tables(CampaignSpec const& spec, Statistics const& statistics,
                                                  std::span<BodyAnalysis const> analysis, double confidence);
-/// Of all bodies and limit states.
+/// Tables of rare events, for all bodies and limit states.
 [[nodiscard]] std::vector<Table> rare_tables(CampaignSpec const& spec, std::span<RareBody const> bodies);
 
 }  // namespace overturn::output

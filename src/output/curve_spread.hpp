@@ -1,4 +1,4 @@
-/// Which standard deviations a lognormal fragility curve usually has, and which can only be a slip.
+/// Usual lognormal standard deviations of a fragility curve, and those that can only be a slip.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@ namespace overturn::output {
 /// "type-a", or with the limit state where it is not overturning: "type-a, slides".
 [[nodiscard]] std::string frequency_name(BodyFrequency const& f);
 
-/// What of an answer rests on no trial or no hazard, what it can be trusted with, and how to learn more.
+/// Notes on an annual frequency: its parts without trials or hazard, its limits, and how to learn more.
 [[nodiscard]] std::vector<std::string> frequency_notes(BodyFrequency const& f, HazardCurve const& hazard);
 
 /// "6 points from 0.05 g (0.01 1/a) to 2 g (3e-07 1/a)".

@@ -16,7 +16,7 @@ namespace overturn::output {
     return fmt::format("[{:.3g}, {:.3g}]", rounded_down(interval.lower), rounded_up(interval.upper));
 }
 
-/// Of a probability, in columns: "[0.041799, 0.268702]".
+/// Interval of a probability in columns: "[0.041799, 0.268702]".
 [[nodiscard]] inline std::string millionths_text(Interval const& interval) {
     constexpr double millionth = 1e-6;
     constexpr double noise = 1e-6;  // of a millionth: 0.25 stays 0.25

@@ -1,4 +1,4 @@
-/// Which amplitudes of a pulse overturn a body, over its frequency, or which factors on a record do: as text, JSON and
+/// Amplitudes of a pulse that overturn a body, over its frequency, or factors on a record that do: as text, JSON and
 /// csv.
 #pragma once
 

@@ -1,4 +1,4 @@
-/// What a report's page says as a calculation package: its question, how results were computed, which checks were made.
+/// Text of a report's page as a calculation package: its question, its method, and the checks that were made.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ namespace overturn::output {
 /// The campaign's own question, or one made of its bodies and levels.
 [[nodiscard]] std::string question_text(CampaignSpec const& spec);
 
-/// How results were computed and what was not, a sentence each.
+/// Method of the calculation and what it leaves out, a sentence each.
 [[nodiscard]] std::vector<std::string> method_lines(CampaignSpec const& spec);
 
 /// The calculation by hand: its method, then a line for each body; empty without checks.
@@ -24,7 +24,7 @@ namespace overturn::output {
 /// Who prepared, checked and approved: {what, name}; an empty name is a line to sign.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> signatures(CoverText const& cover);
 
-/// What a record says: which verb wrote it.
+/// Kind of a record, by the verb that wrote it.
 enum class RecordKind { verify, qualify, published, cost, sensitivity };
 
 /// By the fields of the record. \throws InputError where it is none of these \param name of its file
@@ -40,7 +40,7 @@ struct CheckRow {
 
 /// \param maker of the results file, as maker_of() names it: a record of another program says so
 [[nodiscard]] CheckRow check_row(RecordKind kind, Json const& record, std::string const& maker);
-/// Of a check of which there is no record. \param file the results file
+/// Row of a check of which there is no record. \param file the results file
 [[nodiscard]] CheckRow missing_check(RecordKind kind, std::string const& file);
 
 }  // namespace overturn::output

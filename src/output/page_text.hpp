@@ -1,4 +1,4 @@
-/// What a report's page says in sentences, as its data: the page itself holds headings and labels alone.
+/// Sentences of a report's page, as its data: the page itself holds headings and labels alone.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace overturn::output {
 /// a grid: from which level on, at how many frequencies.
 [[nodiscard]] std::vector<std::string> headlines(Answered const& of);
 
-/// What stands beside each row of `probabilities`, in their order: {body, limit, measure, text}.
+/// Remarks beside the rows of `probabilities`, in their order: {body, limit, measure, text}.
 [[nodiscard]] Json quote_remarks(Answered const& of);
 
-/// Of each body with such trials: how many still rocked when the record ended.
+/// Number of trials that still rocked when the record ended, a line for each body with such trials.
 [[nodiscard]] std::vector<std::string> cut_short_lines(Answered const& of);
 
 /// Notes on tables and figures, by name; those with {places} are filled in with the numbers that the page computes.

@@ -13,12 +13,12 @@ namespace overturn::output {
 void write_table(store::ResultsWriter& file, Table const& table);
 void write_tables(store::ResultsWriter& file, std::span<Table const> tables);
 
-/// How far stored numbers are from the same computed again.
+/// Largest difference between stored numbers and the same computed again.
 struct Difference {
     double relative = 0;  ///< the largest; infinite where a number, a count or a name is another one
     std::string column;   ///< where: "fragility/type-a/median"
 };
-/// Of what both have: rows are those of the same `key`, a column of names; columns and rows that only one of them has
+/// Difference over rows that both have, matched by `key`, a column of names; columns and rows that only one of them has
 /// are left out. \pre the table has the column `key`
 [[nodiscard]] Difference difference(store::ResultsReader const& file, Table const& table, std::string const& key);
 

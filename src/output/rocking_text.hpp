@@ -1,4 +1,4 @@
-/// How far blocks of many sizes tilt under one record: as text, JSON and csv.
+/// Peak tilt of blocks of many sizes under one record: as text, JSON and csv.
 #pragma once
 
 #include <optional>

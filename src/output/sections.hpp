@@ -1,4 +1,4 @@
-/// What of the results is printed: the answer, and the sections that a user asks for.
+/// Printed results: the answer, and the sections that a user asks for.
 #pragma once
 
 #include <optional>
@@ -19,7 +19,7 @@ namespace overturn::output {
 /// All of them, in the order in which they are printed.
 [[nodiscard]] std::vector<std::string_view> section_names();
 
-/// What a user asks for.
+/// The user's choice of sections.
 struct TextOptions {
     std::vector<std::string> sections = {};        ///< names of them, beside the answer
     bool full = false;                             ///< all of them
@@ -33,7 +33,7 @@ struct TextOptions {
 /// \throws InputError for a name that is no section's
 [[nodiscard]] std::vector<std::string> read_sections(std::string const& text);
 
-/// What there is to print; all outlive it.
+/// Data that can be printed; all outlive it.
 struct Printed {
     Answered answered;
     std::span<TrialRow const> few = {};  ///< trials_of_few_waves

@@ -21,7 +21,7 @@ struct SheetColumn {
     std::string unit;  ///< "m"; "1": a pure number; the name of another column: each row's unit stands there
     std::string meaning;
 
-    /// What heads it: "peak_slip [m]".
+    /// Heading of the column: "peak_slip [m]".
     [[nodiscard]] std::string title() const { return unit == "1" ? name : name + " [" + unit + "]"; }
 };
 

@@ -1,4 +1,4 @@
-/// Which of very many levels a table on the terminal shows.
+/// Levels that a table on the terminal shows, where there are very many.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +9,7 @@
 
 namespace overturn::output {
 
-/// Of so many things in a row: all of up to 30; of more, 30 evenly spread ones with both ends. Rising.
+/// Places of things in a row: all of up to 30; of more, 30 evenly spread ones with both ends. Rising.
 [[nodiscard]] std::vector<std::size_t> spread_places(std::size_t count);
 
 /// Places of levels, rising: spread ones, and those that have a name.

@@ -1,4 +1,4 @@
-/// How far a run has come, in words.
+/// Progress of a run, in words.
 #pragma once
 
 #include <cstddef>
@@ -35,13 +35,13 @@ struct Progress {
 /// \param progress of it, by progress_text
 [[nodiscard]] std::string extension_text(std::int64_t waves, std::size_t bodies, std::size_t levels,
                                          std::string const& progress);
-/// Of the file that it will replace. \param complete by complete_text
+/// Line on the file that the extension will replace. \param complete by complete_text
 [[nodiscard]] std::string before_extension_text(std::string const& complete);
 
-/// What became of the waves of a run that did not end.
+/// Line on the waves of a run that did not end.
 [[nodiscard]] std::string so_far_text(std::string const& waves_text);
 
-/// What a fit of an unfinished run is marked with, a line.
+/// Line that marks a fit of an unfinished run.
 [[nodiscard]] std::string interim_text(std::int64_t waves, std::int64_t planned);
 
 }  // namespace overturn::output

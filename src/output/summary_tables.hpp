@@ -1,5 +1,5 @@
-/// What is concluded from a body's trials, as tables: the criterion, responses, bodies together, waves, trials to
-/// inspect, checks by hand, curves over two measures, annual frequencies, rare events.
+/// Summaries of a body's trials, as tables: the criterion, responses, bodies together, waves, trials to inspect, checks
+/// by hand, curves over two measures, annual frequencies, rare events.
 #pragma once
 
 #include <span>

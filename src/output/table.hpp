@@ -50,7 +50,7 @@ struct Column {
     Kind kind = Kind::real;
     std::vector<std::string> names = {};  ///< of category and names, in their order in a file
 
-    /// As JSON and csv name it, with the unit: "peak_slip_m".
+    /// Name in JSON and csv, with the unit: "peak_slip_m".
     [[nodiscard]] std::string key() const;
 };
 
@@ -59,7 +59,7 @@ struct Table {
     std::string name;        ///< "fragility"
     std::string group = {};  ///< where it lies in a file: "limits/touches/fragility/type-a"; empty: in no file
     std::string axis = {};   ///< the column along which the others lie in a file; empty: each is its own
-    /// What is the same in all rows: in a file attributes of the group, in JSON fields of every row.
+    /// Values that are the same in all rows: in a file attributes of the group, in JSON fields of every row.
     std::vector<std::pair<std::string, Cell>> constants = {};
     std::vector<Column> columns = {};
     std::vector<std::vector<Cell>> rows = {};

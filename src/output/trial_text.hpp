@@ -14,7 +14,8 @@ namespace overturn::output {
 [[nodiscard]] std::string trial_text(CampaignSpec const& spec, TrialRow const& row, std::int64_t trial,
                                      std::int64_t wave);
 
-/// Of a figure: "cask, trial 17 (nearest-miss): wave 3, KOBE at 600 gal, overturned". \param words why it is shown
+/// Title of a figure: "cask, trial 17 (nearest-miss): wave 3, KOBE at 600 gal, overturned". \param words why it is
+/// shown \param record name of its wave; both may be empty
 /// \param record name of its wave; both may be empty
 [[nodiscard]] std::string trial_title(CampaignSpec const& spec, TrialRow const& row, std::int64_t trial,
                                       std::int64_t wave, std::string const& words = {}, std::string const& record = {});

@@ -1,4 +1,4 @@
-/// What a results file of another program names that this one does not know, in words.
+/// Names in a results file of another program that this one does not know, in words.
 #pragma once
 
 #include <string>

@@ -13,7 +13,7 @@
 
 namespace overturn::output {
 
-/// What was asked for.
+/// The request, and where it was computed.
 struct Verification {
     std::string file;
     std::string date;                    ///< as the user states it; empty: not stated

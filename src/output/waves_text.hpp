@@ -1,4 +1,4 @@
-/// What became of a campaign's waves, in words.
+/// Counts of a campaign's waves, in words.
 #pragma once
 
 #include <string>

@@ -19,7 +19,7 @@
 
 namespace overturn {
 
-/// What made a file of that format, and of which campaign, as attributes of its root.
+/// Writes the program, format and campaign that made a file as attributes of its root.
 void write_provenance(store::ResultsWriter& file, std::string const& format, std::int64_t version,
                       CampaignInput const& input, std::string const& title);
 

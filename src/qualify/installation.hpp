@@ -1,5 +1,5 @@
-/// What only a run in its place shows: that a campaign gives its known bytes on these ranks and libraries, that a run
-/// that was broken off gives them too, and that the file system keeps what it is given.
+/// Checks that need a run in its place: a campaign gives its known bytes on these ranks and libraries, an interrupted
+/// run gives them too, and the file system keeps what it is given.
 #pragma once
 
 #include <filesystem>

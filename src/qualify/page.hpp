@@ -1,4 +1,4 @@
-/// What was shown, for people and for scripts.
+/// Results of a qualification, as text, JSON and a page.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace overturn::qualify {
 
-/// What was checked where.
+/// The checks, and the installation that they ran on.
 struct Qualification {
     Checks checks;
     std::vector<LeftOut> left_out = {};

@@ -13,8 +13,8 @@ namespace overturn::qualify {
 /// remark says what was derived again, and what the difference is of.
 [[nodiscard]] Checks published();
 
-/// What others published and is not among these checks: because it could not be consulted, or hangs on data that are
-/// not part of this program.
+/// Published results that are not among these checks: they could not be consulted, or need data that are not part of
+/// this program.
 [[nodiscard]] std::vector<LeftOut> left_out_of_published();
 
 }  // namespace overturn::qualify

@@ -14,7 +14,7 @@ namespace overturn::rare {
 /// From here on plain trials are as good as anything.
 inline constexpr double common_probability = 1e-2;
 
-/// What was done to get at the estimates: enough to draw every trial again.
+/// Record of the stages behind the estimates: enough to draw every trial again.
 struct Record {
     std::vector<PulseResult> mixtures;
     std::vector<SubsetResult> subsets;

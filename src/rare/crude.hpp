@@ -13,10 +13,10 @@
 
 namespace overturn::rare {
 
-/// How many factors a set of waves may serve: one bit each in a stored row.
+/// Largest number of factors for one set of waves: one bit each in a stored row.
 inline constexpr std::size_t most_factors = 64;
 
-/// What is asked of an estimator.
+/// Request to an estimator.
 struct Request {
     std::uint64_t seed = 0;
     std::uint64_t problem = 0;           ///< number of the limit state within the campaign

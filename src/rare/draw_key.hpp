@@ -7,7 +7,7 @@
 
 namespace overturn::rare {
 
-/// What a stage of an estimator is for. Values are part of what a seed means: never renumber them.
+/// Purpose of a stage of an estimator. Values are part of what a seed means: never renumber them.
 enum class Phase : std::uint64_t { scout = 1, crude = 2, pilot = 3, final = 4, subset = 5 };
 
 /// A trial by (seed, problem, replicate, stage, index): never by rank, order or how often something was accepted.

@@ -26,7 +26,7 @@ struct HealthCheck {
     bool passed = true;
 };
 
-/// Of one factor. Whoever prints it prints `probability` only where there is one.
+/// Estimate at one factor. Printed is `probability` only where there is one.
 struct Estimate {
     double factor = 0;
     Method method = Method::crude;

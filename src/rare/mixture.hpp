@@ -12,7 +12,7 @@
 
 namespace overturn::rare {
 
-/// How strong a pulse may come, as a share of the mean: so that a wrong length costs less.
+/// Step of a pulse's strength, as a share of the mean: so that a wrong length costs less.
 inline constexpr double strength_step = 0.15;
 inline constexpr std::array<double, 3> pulse_strengths{1 - strength_step, 1, 1 + strength_step};
 

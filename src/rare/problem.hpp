@@ -1,4 +1,4 @@
-/// What a rare-event estimator sees of a trial: standard normals in, a limit state's answer out.
+/// A trial for rare-event estimators: standard normals in, a limit state's answer out.
 #pragma once
 
 #include <cstddef>
@@ -7,7 +7,7 @@
 
 namespace overturn::rare {
 
-/// How near a trial came to failure.
+/// Answer of a trial: its distance from failure, and whether it failed.
 struct Answer {
     /// Continuous, finite, and the larger the nearer to failure: all failures lie above every trial that is far from it
     /// (nested). For overturning: where the body rests, peak demand over threshold, less 1; where it rocks, its largest
@@ -24,8 +24,8 @@ struct Moment {
     double sign = 1;
 };
 
-/// How the first normals make a wave: a(t) = sum_k S_k Re[(x_{2k-2} + i x_{2k-1}) exp(i w_k t)], k = 1, 2, ..., under
-/// an envelope. Only waves that are linear in their normals have one.
+/// Map from the first normals to a wave: a(t) = sum_k S_k Re[(x_{2k-2} + i x_{2k-1}) exp(i w_k t)], k = 1, 2, ...,
+/// under an envelope. Only waves that are linear in their normals have one.
 struct PulseFrame {
     std::size_t lines = 0;     ///< K: pairs of normals that are lines
     double spacing_radps = 0;  ///< w_k = k spacing

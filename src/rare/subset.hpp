@@ -29,7 +29,7 @@ struct SubsetNode {
     std::int64_t failed = 0;
 };
 
-/// What a replicate left behind.
+/// Record of a replicate.
 struct SubsetReplicate {
     double probability = 0;
     std::int64_t levels = 0;         ///< below the last

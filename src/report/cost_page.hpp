@@ -1,4 +1,4 @@
-/// What accuracy costs, as one page that needs no network: figures, tables and the sentence.
+/// Cost of accuracy, as one page that needs no network: figures, tables and the sentence.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-/// What assumed numbers decide, as one page that needs no network.
+/// Sensitivity to assumed numbers, as one page that needs no network.
 #pragma once
 
 #include <string>

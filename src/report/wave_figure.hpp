@@ -15,7 +15,7 @@
 
 namespace overturn::report {
 
-/// What a standard lets the ratio of wave to target be, over the periods for which it asks.
+/// Range in which a standard wants the ratio of wave to target, and its periods.
 struct AcceptanceBand {
     std::string name;
     double lower = 0, upper = 0;  ///< ratio to the target [-]
@@ -48,7 +48,7 @@ struct WaveFigure {
     } velocities;       ///< what velocities are drawn in
 };
 
-/// What the script draws from, for pages that hold the figure among others.
+/// Data of the figure, for pages that hold it among others.
 [[nodiscard]] nlohmann::ordered_json wave_data(WaveFigure const& figure);
 
 /// \throws as draw_figure

@@ -1,4 +1,4 @@
-/// What the models are told about accuracy, each in its own words.
+/// Accuracy settings of all models.
 #pragma once
 
 #include "config/table.hpp"

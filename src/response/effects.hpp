@@ -1,4 +1,4 @@
-/// How a campaign asks for effects.
+/// A campaign's choice of effects.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// How effects are chosen: what each scene calls for, none at all (plain rocking), or a stated list.
+/// Choice of effects: those that each scene needs, none at all (plain rocking), or a stated list.
 enum class EffectMode { automatic, none, forced };
 
 struct EffectRequest {

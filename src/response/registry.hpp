@@ -32,7 +32,7 @@ struct ModelEntry {
 [[nodiscard]] VerdictEntry const& entry_of(Verdict verdict);
 [[nodiscard]] std::vector<Category> verdict_categories();
 
-/// What simulated a trial: "at-rest", where the cheapest model had nothing to follow, else the model's name.
+/// Names of the models in results: "at-rest", where the cheapest model had nothing to follow, else the model's name.
 [[nodiscard]] std::span<Category const> model_categories();
 /// Why a trial may need a model: none, if the cheapest one does; stated, if the campaign says so; else the models' own.
 [[nodiscard]] std::span<ReasonEntry const> reasons();

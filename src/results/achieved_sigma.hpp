@@ -11,10 +11,11 @@
 
 namespace overturn {
 
-/// Of one measure of the waves before any scaling.
+/// Scatter of one measure of the waves before any scaling.
 struct AchievedMeasure {
     std::string name, label;  ///< "sa_1" and "sa(1.9 s)"
-    /// Of the stated one [s]; of PGA, which is Sa towards a period of 0, the shortest of those that are matched.
+    /// Period of the stated one [s]; for PGA, which is Sa towards a period of 0, the shortest of those that are
+    /// matched.
     double period_s = 0;
     std::optional<double> stated;  ///< standard deviation of ln Sa of the targets, as a condition leaves it; none: not
                                    ///< matched there
@@ -26,7 +27,7 @@ struct AchievedMeasure {
     double error = 0;
 };
 
-/// What a campaign's waves made of the targets that were drawn for them.
+/// Scatter that a campaign's waves achieved, beside that of the targets drawn for them.
 struct AchievedSigma {
     std::int64_t waves = 0;        ///< made
     std::int64_t independent = 0;  ///< targets; where their parts are stated, events

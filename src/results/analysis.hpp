@@ -1,4 +1,4 @@
-/// What the trials of a campaign say: fragility curves over several measures, and how good the energy criterion is.
+/// Analysis of a campaign's trials: fragility curves over several measures, and the quality of the energy criterion.
 #pragma once
 
 #include <array>
@@ -44,7 +44,7 @@ struct MeasuredCriterion {
     CriterionStudy study;
 };
 
-/// What the trials that V_WES < V_Ereq says safe show of whether safe means safe.
+/// Evidence on whether safe means safe, from the trials that V_WES < V_Ereq predicts to be safe.
 enum class Safety : std::uint8_t {
     none_said_safe,
     none_uplifted,       ///< they were never in danger
@@ -101,8 +101,8 @@ struct BodyAnalysis {
     std::vector<MeasuredCriterion> criterion;
     std::vector<ResponseBin> response;        ///< V_resp over V_WES
     std::optional<CriterionVerdict> verdict;  ///< none without energies, and of a grid's trials, which are no sample
-    /// Where waves are a grid: what stands in place of curves and quantiles. Fits are then all of state `grid`, of
-    /// the criterion there are counts alone, of the response nothing.
+    /// Map of the grid, where waves are a grid: it replaces curves and quantiles. Fits are then all of state `grid`; of
+    /// the criterion there are only counts, of the response nothing.
     std::optional<GridMap> grid;
 
     /// The curves of the limit state of that place in the campaign; 0: overturning.

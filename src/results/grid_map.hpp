@@ -1,5 +1,5 @@
-/// What becomes of a body over a grid of frequencies and levels: the answer in place of a fragility curve where waves
-/// are points of a grid and no random sample.
+/// Outcome of a body over a grid of frequencies and levels. It replaces a fragility curve where waves are points of a
+/// grid and no random sample.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-/// What engineers would say by hand, beside what was simulated: a cross-check by energy balances
-/// (body/reserve_energy.hpp) under the 84 % spectrum of the campaign's own waves.
+/// Hand calculation beside the simulation: a cross-check by energy balances (body/reserve_energy.hpp) under the 84 %
+/// spectrum of the campaign's own waves.
 #pragma once
 
 #include <optional>
@@ -19,13 +19,13 @@ struct HandCheck {
     /// it overturns beyond [SI of the levels' measure]
     double overturning_level = 0;
     RockingCapacity rocking;
-    /// Where the body has a friction and the campaign a design basis: how far it slides there [m]; 0: not at all
+    /// Sliding distance at the design basis [m], where the body has a friction and the campaign a design basis; 0: none
     std::optional<double> sliding_m;
     double sliding_frequency_hz = 0;
 };
 
-/// Of the bodies as stated, undrawn. Overturning under a vertical component leaves it out, which is unsafe, and said.
-/// Empty where waves are a grid or none can be scaled.
+/// Checks of the bodies as stated, undrawn. Overturning neglects a vertical component, which is unsafe; the output says
+/// so. Empty where waves are a grid or none can be scaled.
 [[nodiscard]] std::vector<HandCheck> hand_checks(CampaignSpec const& spec);
 
 }  // namespace overturn

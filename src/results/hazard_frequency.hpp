@@ -1,4 +1,4 @@
-/// How often in a year each limit state of a campaign is passed, by a hazard curve of the site.
+/// Annual frequency of each limit state of a campaign, by a hazard curve of the site.
 #pragma once
 
 #include <optional>
@@ -13,7 +13,7 @@
 
 namespace overturn {
 
-/// Of one body and limit state. All frequencies in 1/a.
+/// Annual frequency of one body and limit state. All frequencies in 1/a.
 struct BodyFrequency {
     std::string body, limit;
     std::string said;  ///< how lines call the limit state; empty: by its name
@@ -31,7 +31,7 @@ struct BodyFrequency {
     std::optional<WidePiece> wide;
     bool poor = false;           ///< the curve does not describe the data
     std::int64_t few_waves = 0;  ///< independent ones, where they are too few to resample; else 0
-    /// Where beta_U is known: the frequency by the curves at 5, 50 and 95 % confidence, median exp(-+1.645 beta_U).
+    /// Frequency by the curves at 5, 50 and 95 % confidence, median exp(-+1.645 beta_U), where beta_U is known.
     struct Fractiles {
         double low = 0, median = 0, high = 0;
     };
@@ -46,15 +46,15 @@ struct BodyFrequency {
     std::optional<FrequencyShares> shares;  ///< of the mean: below, between and above the levels that were tried
     bool stated = false;                    ///< no trials: the curve is stated, and `interval` bounds the hazard alone
 
-    /// Of the mean: by motions outside of the levels, or of the hazard curve.
+    /// Part of the mean from motions outside of the levels, or of the hazard curve.
     [[nodiscard]] double extrapolated() const;
 };
 
-/// Of one fit. \param nothing_below as in BodyFrequency
+/// Frequency of one fit. \param nothing_below as in BodyFrequency
 [[nodiscard]] BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes,
                                          HazardCurve const& hazard, double confidence, double nothing_below);
 
-/// Of a curve that is stated: beta_R, and beta_U beside it (0: not known).
+/// Frequency of a stated curve: beta_R, and beta_U beside it (0: not known).
 [[nodiscard]] BodyFrequency frequency_of_stated(double median, double beta_r, double beta_u, HazardCurve const& hazard);
 
 [[nodiscard]] std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics const& statistics,

@@ -22,7 +22,7 @@ namespace overturn {
 /// The responses whose quantiles are told level by level.
 enum class LevelResponse { peak_slip, peak_rotation_ratio };
 
-/// How a trial ended by one limit state.
+/// Outcome of a trial for one limit state.
 struct TrialOutcome {
     std::int64_t wave = 0;
     std::int32_t body = 0;
@@ -30,7 +30,8 @@ struct TrialOutcome {
     bool decided = false, passed = false;
 };
 
-/// Of a campaign of more, curves over other measures than the levels' and all resampling see the first waves alone.
+/// Largest number of trials held. In a larger campaign, curves over other measures than the levels' and all resampling
+/// use the first waves alone.
 inline constexpr std::size_t most_trials_held = 20'000'000;
 
 /// Holds the first trials, whole waves of them, until there are twenty million: a campaign of any size is merged in
@@ -75,7 +76,7 @@ class MeasuredTrials {
     /// A response of the trials of a body, by the value of their level; NaN: unknown; infinite: of a rotation that
     /// ended in a fall.
     [[nodiscard]] std::map<double, std::vector<double>> by_level(std::int64_t body, LevelResponse response) const;
-    /// As the criteria V_WES < V_Ereq and ouV_E < V_Ereq saw the decided trials.
+    /// Predictions of the criteria V_WES < V_Ereq and ouV_E < V_Ereq for the decided trials.
     [[nodiscard]] std::vector<CriterionTrial> criterion_trials(std::int64_t body, Measure measure) const;
     /// The decided trials of a body that moved: what it did with what it was offered.
     [[nodiscard]] std::vector<ResponseTrial> responses(std::int64_t body) const;
@@ -95,7 +96,7 @@ class MeasuredTrials {
     };
     [[nodiscard]] std::int64_t together(std::int64_t wave) const { return wave / waves_alike_; }
 
-    /// Where a measure's values are: among the linear ones of a wave and body, or the others of a trial.
+    /// Place of a measure's values: among the linear ones of a wave and body, or the others of a trial.
     struct Place {
         bool linear;
         std::size_t at;

@@ -1,4 +1,4 @@
-/// Which clauses of an acceptance rule waves missed, by component, and at which periods.
+/// Clauses of an acceptance rule that waves missed, by component, and at which periods.
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ class MissedClauses {
     std::map<std::pair<std::size_t, std::size_t>, Seen> seen_;  ///< by clause and component
 };
 
-/// What MissedClause::clause may be.
+/// All values of MissedClause::clause.
 [[nodiscard]] std::vector<std::string> names_of_all_clauses();
 
 }  // namespace overturn

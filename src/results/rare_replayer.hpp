@@ -12,7 +12,7 @@
 
 namespace overturn {
 
-/// Of a limit state of one body. \pre file and campaign outlive it
+/// Replays the rows of a limit state of one body. \pre file and campaign outlive it
 class RareReplayer {
   public:
     RareReplayer(store::ResultsReader const& file, CampaignSpec const& spec, std::size_t body, std::size_t limit = 0);
@@ -26,7 +26,7 @@ class RareReplayer {
     [[nodiscard]] std::vector<std::string> differing(RareRow const& stored, RareRow const& again) const;
     /// The factors whose bits a row holds.
     [[nodiscard]] std::vector<double> factors(RareRow const& row) const;
-    /// What the row's stage was drawn from, in its replicate. \pre the row is one of a mixture
+    /// Mixture that the row's stage was drawn from, in its replicate. \pre the row is one of a mixture
     [[nodiscard]] rare::Mixture mixture_of(RareRow const& row) const;
     /// The normals of a row of a chain, through all that it descends from.
     [[nodiscard]] std::vector<double> normals_of_chain(RareRow const& row, std::int64_t number) const;

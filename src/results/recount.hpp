@@ -1,4 +1,4 @@
-/// What a finished file holds: its campaign, its trials, and its statistics counted again.
+/// Content of a finished file: its campaign, its trials, and its statistics counted again.
 #pragma once
 
 #include <cstdint>

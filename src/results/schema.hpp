@@ -1,4 +1,4 @@
-/// Where the rows of a campaign stand in its results file.
+/// Tables of a campaign's rows in its results file.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@
 
 namespace overturn {
 
-/// Where a table of one body lies: "stripes/type-a", and of a limit state other than overturning
+/// Group of a table of one body: "stripes/type-a", and for a limit state other than overturning
 /// "limits/touches/stripes/type-a".
 [[nodiscard]] std::string group_of(std::string const& table, std::string const& body, std::string const& limit);
 

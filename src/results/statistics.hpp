@@ -19,7 +19,7 @@
 
 namespace overturn {
 
-/// How one body did by a limit state of the user's own. `overturned` of its stripes stands for passed.
+/// Counts of one body for a limit state of the user's own. `overturned` of its stripes stands for passed.
 struct LimitStatistics {
     std::vector<Stripe> stripes;
     std::int64_t unknown = 0;      ///< trials with a verdict that leave it open: no model told its quantity
@@ -47,7 +47,7 @@ struct BodyStatistics {
     }
 };
 
-/// What became of the waves.
+/// Counts of the waves: made, failed, accepted, refused.
 struct WaveCounts {
     std::int64_t waves = 0, failed = 0;
     std::int64_t not_accepted = 0;  ///< of `waves`, which miss the rule: in files up to format 4, or used all the same
@@ -73,9 +73,9 @@ class Statistics {
     void add(BlockRows const& block);
     [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
     [[nodiscard]] WaveCounts const& waves() const { return waves_; }
-    /// What refused waves missed, or used ones that miss the rule.
+    /// Clauses missed by refused waves, or by used ones that miss the rule.
     [[nodiscard]] MissedClauses const& missed_clauses() const { return missed_clauses_; }
-    /// How much the waves differ, where targets are drawn.
+    /// Scatter of the waves, where targets are drawn.
     [[nodiscard]] std::optional<AchievedSigma> achieved_sigma() const { return sigma_.achieved(waves_.missed); }
     /// Do limit states hang on what models have to say of their own?
     [[nodiscard]] bool reads_extra() const { return judge_.reads_extra(); }

@@ -1,5 +1,5 @@
-/// What a results file names, in this program's terms: files of programs with more or fewer columns, verdicts and
-/// models stay readable, because names are compared and never places or numbers.
+/// Names in a results file, in this program's terms. Files of programs with more or fewer columns, verdicts and models
+/// stay readable, because names are compared and never places or numbers.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ struct UnknownModel {
 [[nodiscard]] std::vector<double> reals_or_unknown(store::ResultsReader const& file, std::string const& column,
                                                    std::size_t rows);
 
-/// How each trial ended, in the order of /trials.
+/// Verdict of each trial, in the order of /trials.
 [[nodiscard]] std::vector<Verdict> stored_verdicts(store::ResultsReader const& file);
 
 /// /trials as trial_table has it, with the verdicts of the file.

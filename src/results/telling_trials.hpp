@@ -28,7 +28,7 @@ enum class TellingKind : std::uint8_t {
 inline constexpr std::array<std::string_view, 4> telling_kinds{"first-overturned", "nearest-miss", "largest-slip",
                                                                "changes-back"};
 
-/// How many trials of the last kind are told of a body.
+/// Largest number of trials of the last kind, for a body.
 inline constexpr std::size_t most_changes_back = 3;
 
 struct TellingTrial {
@@ -38,7 +38,7 @@ struct TellingTrial {
     double amplitude = 0;  ///< of the level, SI
     Verdict verdict = Verdict::at_rest;
     double peak_rotation_ratio = 0, peak_slip_m = 0;
-    /// Of changes_back: the lowest amplitude at which the wave overturned the body, SI; else NaN.
+    /// Lowest amplitude at which the wave overturned the body, SI; for changes_back only, else NaN.
     double overturned_at = std::numeric_limits<double>::quiet_NaN();
 };
 
@@ -46,7 +46,7 @@ struct TellingTrial {
 /// there are more of them than `most`, one each goes to as many evenly spread over them. \return what each gets
 [[nodiscard]] std::vector<std::size_t> share_fairly(std::span<std::size_t const> offered, std::size_t most);
 
-/// What is stored of the trials, by their numbers; all of one length, which may be less than planned.
+/// Stored columns of the trials, by their numbers; all of one length, which may be less than planned.
 struct TrialColumns {
     std::span<Verdict const> verdicts;
     std::span<double const> peak_rotation_ratios, peak_slips_m;

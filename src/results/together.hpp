@@ -1,5 +1,4 @@
-/// What the trials of a campaign say beyond one body and one measure: several bodies under one wave, and curves over
-/// two measures.
+/// Analysis beyond one body and one measure: several bodies under one wave, and curves over two measures.
 #pragma once
 
 #include <array>

@@ -1,4 +1,4 @@
-/// What came of computing rows of a finished file again.
+/// Result of computing rows of a finished file again.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// What one line of prose says, word by word. Every function takes a line in lower case.
+/// Meaning of one line of prose, word by word. Every function takes a line in lower case.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-/// What the text says, or a person states, of the columns of a table.
+/// Columns of a table by its text and by the user's statements.
 #pragma once
 
 #include <optional>

@@ -1,5 +1,4 @@
-/// What the text of a table says that its columns are: "x = NS, y = UD", "y is vertical", "Channel 2: EW", "column 3
-/// UD".
+/// Components of a table's columns by its text: "x = NS, y = UD", "y is vertical", "Channel 2: EW", "column 3 UD".
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// What stands right above a list of values: its name, or a count and a time step.
+/// The line right above a list of values: its name, or a count and a time step.
 #pragma once
 
 #include <cstddef>

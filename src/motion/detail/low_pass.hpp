@@ -6,7 +6,7 @@
 
 namespace overturn {
 
-/// What a new grid can hold: kept up to 0.8 of its Nyquist frequency, taken off from that frequency on.
+/// Frequencies that a new grid can hold: kept up to 0.8 of its Nyquist frequency, removed from that frequency on.
 struct LowPass {
     double pass_hz = 0;  ///< up to here 0.01 % are kept off at most [Hz]
     double stop_hz = 0;  ///< from here on 1/10000 is left [Hz]

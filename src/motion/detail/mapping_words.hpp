@@ -23,7 +23,7 @@ struct MappingClause {
     bool wordy = false;  ///< do words that are not known stand among them?
 };
 
-/// What a column is called in prose: its name without its unit, the letter of its axis, "ch2", "col3" by its place.
+/// Names of a column in prose: its name without its unit, the letter of its axis, "ch2", "col3" by its place.
 [[nodiscard]] std::vector<std::string> aliases_of(std::string_view name, std::size_t place);
 
 /// "x", "acc_y (gal)", "aw", "ch1", "a2": a letter or a number of no compass, that text may give any component?

@@ -9,7 +9,7 @@
 
 namespace overturn {
 
-/// Of a time or of a count, whatever it is called.
+/// Reason why numbers are a time or a count, whatever their name.
 inline constexpr std::string_view only_rising = "values that only rise or only fall";
 
 /// Why it looks like none: it never changes its sign, only rises, or swings about another value than zero; empty if it
@@ -27,7 +27,7 @@ inline constexpr std::string_view only_rising = "values that only rise or only f
 /// Do the columns swing each on its own, so that a row is no part of one series?
 [[nodiscard]] bool are_side_by_side(std::vector<std::vector<double>> const& columns);
 
-/// As times do: in equal steps, up to what printing costs.
+/// Do they rise as times do: in equal steps, up to the rounding of printed numbers?
 [[nodiscard]] bool rises_evenly(std::vector<double> const& values);
 
 /// Each is one more than the one before.

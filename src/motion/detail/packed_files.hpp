@@ -5,7 +5,7 @@
 
 namespace overturn {
 
-/// What a binary file is, why it is not read and what to do with it; all empty if its first bytes tell nothing.
+/// A binary file: its kind, why it is not read and what to do with it; all empty if its first bytes are not known.
 struct PackedFile {
     std::string_view name;
     std::string_view advice;

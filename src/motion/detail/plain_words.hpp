@@ -9,7 +9,7 @@
 
 namespace overturn {
 
-/// What the clauses of a line that name a unit hold.
+/// Content of the clauses of a line that name a unit.
 struct UnitClauses {
     bool any = false;           ///< does a clause name a unit of the dimension?
     bool plain = true;          ///< are these words of units, quantities, components, steps and fillings alone?

@@ -15,7 +15,7 @@ struct ProseWord {
     bool bracket = false;  ///< within one
 };
 
-/// Of each clause, between commas, semicolons and bars.
+/// Words of each clause, between commas, semicolons and bars.
 [[nodiscard]] std::vector<std::vector<ProseWord>> prose_words(std::string_view line);
 
 /// "ch2" of "ch2", "CH-2", "channel_2", "CHN(2)"; "col2" of columns; empty otherwise.

@@ -1,5 +1,5 @@
-/// What a column's numbers look like, against what they are taken for. What an old results file holds was run: of its
-/// named columns and lists (RecordRequest::by_place) nothing new is asked.
+/// Checks of a column's numbers against the quantity that they are taken for. Old results files were run already, so
+/// nothing new is asked of their named columns and lists (RecordRequest::by_place).
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
-/// Which column of a table is the time, which a component and which neither: by names, by what the user states, by its
-/// look for a time; never by its place.
+/// Columns of a table: the time, the components, and the others. They are found by names, by the user's statements, and
+/// for a time by its values; never by place.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,7 @@ struct PlacedColumn {
     ColumnRole role;
 };
 
-/// Which text gives a component.
+/// A component given by a line of text.
 struct MappedColumn {
     std::size_t column = 0;
     int line = 0;
@@ -46,7 +46,7 @@ struct TableColumns {
 /// Does the line name columns, more or fewer than the table has?
 [[nodiscard]] bool names_others(TextLine const& line, bool lowest, TextTable const& table);
 
-/// Of comp1, comp2 and comp3, or BN1, BN2 and BN3, any may be the vertical: their names tell nothing.
+/// Forgets the direction of comp1, comp2 and comp3, or BN1, BN2 and BN3: any may be the vertical.
 void forget_numbered(std::vector<ColumnRole>& roles);
 
 /// "State --columns time,h1,v, with - for what is none", for messages.

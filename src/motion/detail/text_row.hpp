@@ -16,7 +16,7 @@ namespace overturn {
 /// quotes, or between digits beside blanks, where no point is; and those before a nought that more digits follow.
 [[nodiscard]] bool has_decimal_commas(std::string_view line);
 
-/// What to do about them, with the line's own text.
+/// Advice for a line with decimal commas, with the line's text.
 [[nodiscard]] std::string decimal_comma_said(std::string_view line);
 
 /// Fields of a line that are parted by commas or semicolons, or that touch nowhere.

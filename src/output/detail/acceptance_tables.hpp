@@ -1,4 +1,4 @@
-/// How waves stood to the rule that they are held to, as tables.
+/// Tables of the waves' acceptance by the rule.
 #pragma once
 
 #include <vector>

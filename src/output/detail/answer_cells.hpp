@@ -1,4 +1,4 @@
-/// What stands in the cells of the answer.
+/// Text of the answer's cells.
 #pragma once
 
 #include <string>

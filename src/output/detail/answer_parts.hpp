@@ -1,4 +1,4 @@
-/// What the answer is put together from.
+/// Parts of the answer.
 #pragma once
 
 #include <algorithm>

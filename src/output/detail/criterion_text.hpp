@@ -8,7 +8,7 @@
 
 namespace overturn::output {
 
-/// How often the criterion of each body was false, V_resp over V_WES, and what speaks for and against it.
+/// False predictions of each body's criterion, V_resp over V_WES, and the findings for and against it.
 [[nodiscard]] std::string criteria_text(std::span<BodyAnalysis const> bodies, double confidence);
 
 }  // namespace overturn::output

@@ -1,4 +1,4 @@
-/// What speaks for the energy criterion and against it, in sentences, each with its numbers.
+/// Findings for and against the energy criterion, in sentences, each with its numbers.
 #pragma once
 
 #include <string>

@@ -12,7 +12,7 @@
 
 namespace overturn::output {
 
-/// What was tried, and how it ended.
+/// Columns of the trials and their outcomes.
 void add_trial_columns(TableOf<MeasuredFragility>& table, Passing passing);
 /// Median, beta and the points that are read off the curve, with their intervals.
 void add_curve_columns(TableOf<MeasuredFragility>& table);

@@ -1,4 +1,4 @@
-/// What states and flags of a fit are called, in results files, JSON and texts.
+/// Names of the states and flags of a fit, in results files, JSON and texts.
 #pragma once
 
 #include <string>

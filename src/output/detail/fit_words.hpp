@@ -1,4 +1,4 @@
-/// What a reader must know of a fragility curve, in sentences.
+/// Warnings about a fragility curve, in sentences.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// What becomes of a body over a grid of frequencies, for the terminal.
+/// Outcome of a body over a grid of frequencies, for the terminal.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-/// What a trial answered, as ranks hand it on.
+/// Answer of a trial, as ranks send it.
 #pragma once
 
 #include <cstdint>

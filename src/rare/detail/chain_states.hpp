@@ -10,7 +10,7 @@
 
 namespace overturn::rare {
 
-/// Of one replicate. What is kept depends on who did which work, what is answered does not.
+/// States of one replicate's chains. The set kept here depends on which rank did the work; the states do not.
 class ChainStates {
   public:
     /// \param key of the replicate: the identity of its draws but for level, step and index
@@ -26,7 +26,7 @@ class ChainStates {
     /// Forgets all others.
     void keep_only(std::span<std::int64_t const> nodes);
 
-    /// Of a node without a parent: its draw, rounded.
+    /// State of a node without a parent: its draw, rounded.
     [[nodiscard]] State root(SubsetNode const& node);
 
   private:

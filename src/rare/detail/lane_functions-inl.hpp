@@ -38,8 +38,8 @@ template <std::size_t N> HWY_INLINE Reals series(Reals x, std::array<double, N> 
     return sum;
 }
 
-/// Of numbers in (0, 1]: x = 2^e m, m in [sqrt(1/2), sqrt 2), log m = 2 artanh((m - 1)/(m + 1)), whose series is cut
-/// where its next term is below 2e-17 of the first.
+/// Logarithm of numbers in (0, 1]: x = 2^e m, m in [sqrt(1/2), sqrt 2), log m = 2 artanh((m - 1)/(m + 1)), whose series
+/// is cut where its next term is below 2e-17 of the first.
 HWY_INLINE Reals log_of(Reals x) {
     auto const word = hn::BitCast(Word(), x);
     // The exponent's bits, put into the mantissa of 2^52, are its value.
@@ -56,7 +56,8 @@ HWY_INLINE Reals log_of(Reals x) {
     return hn::Add(hn::Mul(exponent, real(0.69314718055994530942)), hn::Mul(s, series(z, odd)));
 }
 
-/// Of numbers in [-700, 700]: 2^k exp(r), |r| <= log(2)/2, whose series is cut where its next term is below 1e-17.
+/// Exponential of numbers in [-700, 700]: 2^k exp(r), |r| <= log(2)/2, whose series is cut where its next term is below
+/// 1e-17.
 HWY_INLINE Reals exp_of(Reals x) {
     auto const shifted = hn::Add(hn::Mul(x, real(1.44269504088896340736)), real(whole_number));
     auto const k = hn::Sub(shifted, real(whole_number));
@@ -74,7 +75,7 @@ struct Turn {
     Reals cosine, sine;
 };
 
-/// Of 2 pi v, v in [0, 1]: by quarters of a turn, the rest in [-pi/4, pi/4].
+/// Sine and cosine of 2 pi v, v in [0, 1]: by quarters of a turn, the rest in [-pi/4, pi/4].
 HWY_INLINE Turn turn_of(Reals v) {
     auto const shifted = hn::Add(hn::Mul(v, real(4)), real(whole_number));
     auto const quarter = hn::BitCast(Word(), shifted);

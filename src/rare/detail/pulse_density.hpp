@@ -1,4 +1,4 @@
-/// How likely a pulse would have made a wave, relative to none.
+/// Likelihood of a wave under a pulse, relative to none.
 #pragma once
 
 #include <span>

@@ -21,7 +21,7 @@ class PulseDescent {
     [[nodiscard]] std::vector<std::vector<MixtureStage>> const& stages() const { return stages_; }
     [[nodiscard]] std::vector<std::vector<MixtureStage>>& stages() { return stages_; }
     [[nodiscard]] std::int64_t runs() const { return runs_; }
-    /// Of stages after the first, the smallest share of draws that failed [-].
+    /// Smallest share of draws that failed, over the stages after the first [-].
     [[nodiscard]] double poorest_hits() const { return poorest_hits_; }
     [[nodiscard]] bool broken() const { return broken_; }  ///< a replicate had too few failures to fit
     [[nodiscard]] bool spent() const { return spent_; }    ///< max_runs ended the descent

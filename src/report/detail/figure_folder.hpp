@@ -1,4 +1,4 @@
-/// Where a figure's scripts and data lie while Python draws it.
+/// Folder of a figure's scripts and data while Python draws it.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-/// Where the Python package `overturn` lies, whose scripts draw figures and pages.
+/// Place of the Python package `overturn`, whose scripts draw figures and pages.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-/// What the pages of studies share. Rows are given as `overturn cost --json` prints them.
+/// Common parts of the pages of studies. Rows are given as `overturn cost --json` prints them.
 #pragma once
 
 #include <cstdint>

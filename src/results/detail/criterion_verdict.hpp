@@ -1,4 +1,4 @@
-/// What the counts and the curves of a body say for the energy criterion and against it.
+/// Verdict on the energy criterion from a body's counts and curves.
 #pragma once
 
 #include "results/analysis.hpp"

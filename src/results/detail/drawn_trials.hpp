@@ -1,4 +1,4 @@
-/// What the draws of a body say of its fragility: trials with their scores, and the part of beta that they make.
+/// Effect of a body's draws on its fragility: trials with their scores, and the part of beta that they make.
 #pragma once
 
 #include <optional>

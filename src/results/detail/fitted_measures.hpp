@@ -1,4 +1,4 @@
-/// Which measures a campaign's fragilities are drawn over, and what each is called.
+/// Measures of a campaign's fragility curves, and their names.
 #pragma once
 
 #include <string>
@@ -14,22 +14,23 @@ namespace overturn {
 /// The levels' own measure comes first; levels of a measure that no fit has by itself add one.
 [[nodiscard]] std::vector<Measure> measures_of(CampaignSpec const& spec);
 
-/// What has to be kept of every trial: these, and the level itself.
+/// Measures that must be kept of every trial: these, and the level itself.
 [[nodiscard]] std::vector<Measure> held_measures(CampaignSpec const& spec);
 
 /// Those held against V_Ereq; none without energies.
 [[nodiscard]] std::vector<Measure> criteria_of(CampaignSpec const& spec);
 
-/// As files and JSON name it: "pga", "sa_1".
+/// Name in files and JSON: "pga", "sa_1".
 [[nodiscard]] std::string name_of(Measure measure, CampaignSpec const& spec);
-/// As people read it: "sa(1.9 s)".
+/// Name for people: "sa(1.9 s)".
 [[nodiscard]] std::string label_of(Measure measure, CampaignSpec const& spec);
-/// As axes of figures name it: "V_WES", "Sa(1.9 s)".
+/// Name on axes of figures: "V_WES", "Sa(1.9 s)".
 [[nodiscard]] std::string title_of(Measure measure, CampaignSpec const& spec);
 /// SI.
 [[nodiscard]] std::string units_of(Measure measure, LevelSpec const& levels);
 
-/// As the levels were written, also for other measures of their dimension: V_WES in kine beside levels in kine.
+/// Unit in which the levels were written, also for other measures of their dimension: V_WES in kine beside levels in
+/// kine.
 [[nodiscard]] IntensityUnit printed_unit(std::string const& units, LevelSpec const& levels);
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-/// How far a body slides and rocks at each level: quantiles of its peak responses.
+/// Slip and rotation of a body at each level: quantiles of its peak responses.
 #pragma once
 
 #include <cstddef>
@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// Of peak slip, unless the body cannot slip, and of peak rotation; of the trials that are held.
+/// Quantiles of peak slip, unless the body cannot slip, and of peak rotation; over the trials that are held.
 [[nodiscard]] std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTrials const& trials,
                                                           std::size_t body, double confidence);
 
