@@ -1,4 +1,4 @@
-/// Which effects a scene calls for, and what the body does: body + motion + effects -> Response.
+/// Selection of the effects that a scene needs, and the response of the body: body + motion + effects -> Response.
 #pragma once
 
 #include <limits>
@@ -44,20 +44,20 @@ struct ModelCost {
     double seconds = 0;
 };
 
-/// Where a model's own quantities lie in the record of a trial.
+/// Place of a model's extra quantities in the record of a trial.
 struct ExtraPart {
     ModelTraits const* traits = nullptr;
     std::size_t offset = 0;  ///< of its row [bytes]
 };
 
-/// The models in order of their cost. A trial begins on the first that holds what it is known to need; each answer may
-/// call for effects that its model leaves out, and the trial goes on with the first model that holds them too, until
-/// one holds all that is called for and wanted. Where effects are forced, that is the first one. Where no model holds
-/// together all that is called for, the effects of dearer models are left out: Outcome::called has them and
-/// Response::effects lacks them, and the reason is `left_out_reason`.
+/// The models in order of their cost. A trial begins on the first one that supports the effects it is known to need.
+/// Where an answer requires effects that its model leaves out, the trial goes on with the first model that supports
+/// them too, until one supports all effects that are required and wanted. Where effects are forced, the first model
+/// does. Where no model supports all required effects together, those of dearer models are left out: Outcome::called
+/// has them, Response::effects lacks them, and the reason is `left_out_reason`.
 class ModelSelector {
   public:
-    /// \throws InputError if effects are forced that no model holds together
+    /// \throws InputError if effects are forced that no model supports together
     explicit ModelSelector(EffectRequest const& request, Accuracy const& accuracy = {},
                            std::span<ModelEntry const> entries = models());
 
@@ -71,12 +71,12 @@ class ModelSelector {
     /// Shows the history of a trial on the model that gave `response`; of one that no model ran, its channels alone.
     void show(SceneTrial const& trial, Response const& response, Observer& observer) const;
 
-    /// Effects that this trial calls for from the start and that no model holds beside the others that it calls for.
+    /// Effects that this trial requires from the start and that no model supports beside the others that it requires.
     [[nodiscard]] EffectMask left_out(SceneTrial const& trial) const;
     /// Forced effects that no model can simulate of this body, whatever shakes it: slip without friction.
     [[nodiscard]] EffectMask impossible(Scene const& scene) const;
 
-    /// Of models that may run here and have quantities of their own.
+    /// Models that may run here and have extra quantities.
     [[nodiscard]] std::vector<ExtraPart> const& extra_parts() const { return extra_parts_; }
     [[nodiscard]] std::size_t extra_bytes() const { return extra_bytes_; }
     /// Records of trials that no model has run: they say nothing. \param extra as many as it holds

@@ -7,7 +7,7 @@
 
 namespace overturn {
 
-/// What becomes of a block at some amplitude.
+/// Fate of a block at some amplitude.
 enum class Fate {
     stands,
     after_impact,    ///< overturns over a corner that an impact led it to
@@ -25,9 +25,9 @@ struct FateRange {
     double from = 0, to = 0;
 };
 
-/// How finely amplitudes are tried: in equal ratios from that of uplift on, between neighbours of which one stands or
-/// falls clearly less than both its own once more; then every change is bisected. Ranges narrower than a step may be
-/// missed.
+/// Grid of the amplitudes that are tried: equal ratios from that of uplift on. It is refined once beside an amplitude
+/// that stands or falls clearly less than both its neighbours. Then every change is bisected. Ranges narrower than a
+/// step may be missed.
 struct OverturningScan {
     double highest = 30;       ///< last amplitude over that of uplift, above 1
     double step = 0.01;        ///< ratio of neighbours, less 1
@@ -50,8 +50,8 @@ struct OverturningRanges {
 /// a_vertical) of its samples; infinity if none does. \param restoring linear: alpha in place of its tangent
 [[nodiscard]] double uplift_factor(RockingBlock const& block, Excitation const& shaking, Restoring restoring);
 
-/// Of a block that nothing lets slip. A boundary is the end of its bracket at which the block stands, if it stands at
-/// one: a range that overturns is never told narrower than it is. \pre the block's corners do not differ;
+/// Ranges of a block that nothing lets slip. A boundary is the end of its bracket at which the block stands, if it
+/// stands at one: a range that overturns is never reported narrower than it is. \pre the block's corners do not differ;
 /// shaking.scale is not looked at
 [[nodiscard]] OverturningRanges overturning_ranges(RockingBlock const& block, Excitation const& shaking,
                                                    OverturningScan const& scan = {});

@@ -31,7 +31,7 @@ struct Lopsided {
     std::array<RockingCorner, 2> corners{};  ///< at +x and at -x
 };
 
-/// What the rocking equation needs of a body. Plain data, validated where the body is.
+/// Constants of the rocking equation. Plain data, validated where the body is.
 struct RockingBlock {
     double alpha_rad = 0;         ///< critical angle atan(b/h)
     double p_radps = 0;           ///< frequency parameter sqrt(m g R / I_O)
@@ -40,21 +40,21 @@ struct RockingBlock {
     double gravity_mps2 = g0;
     double friction_static = std::numeric_limits<double>::infinity();   ///< mu_s; read unless slip is ignored
     double friction_kinetic = std::numeric_limits<double>::infinity();  ///< mu_k <= mu_s
-    /// Of a block whose corners differ; its alpha, p, restitution and inertia ratio are then those of the weaker one,
-    /// over which less energy tips it, and energies are stated over that energy.
+    /// Corners, where they differ. Then alpha, p, restitution and inertia ratio of the block are those of the weaker
+    /// one, over which less energy tips it, and energies are stated over that energy.
     std::optional<Lopsided> lopsided = {};
 
     [[nodiscard]] double radius_m() const { return inertia_ratio * gravity_mps2 / (p_radps * p_radps); }
 };
 
-/// What happens where friction is not enough.
+/// Treatment of slip, where friction is not enough.
 enum class Slip {
     ignored,    ///< the corner never slips; friction demand is monitored
     detected,   ///< the same motion, ended at the instant the block would slip: RockingOutcome::slip_onset
     simulated,  ///< at rest, sliding, rocking, slide-rocking
 };
 
-/// Where the block starts; at rest unless stated.
+/// State at the start; at rest unless stated.
 struct RockingStart {
     double rotation_rad = 0;
     double velocity_radps = 0;
@@ -69,12 +69,12 @@ struct EnergyBalance {
     double friction_work = 0;  ///< lost in slip, impacts apart
 };
 
-/// What a trial of planar rocking left behind. Forces are looked at where steps start and just before impacts; of the
-/// neutral part, peak_rotation_ratio, the landing but for its spin, peak_impact_velocity_mps, response_velocity_mps,
-/// friction_work_jpkg and called are left to rocking_models.cpp.
+/// Outcome of a trial of planar rocking. Forces are looked at where steps start and just before impacts. Some neutral
+/// fields are left to rocking_models.cpp: peak_rotation_ratio, the landing but for its spin, peak_impact_velocity_mps,
+/// response_velocity_mps, friction_work_jpkg and called.
 struct RockingOutcome : Outcome {
-    /// Of a block whose corners differ the peak rotation is the one nearest to its corner's alpha, and this is the same
-    /// share of the weaker corner's; else the peak rotation.
+    /// Peak rotation as the same share of the weaker corner's alpha, where corners differ; the peak is then the one
+    /// nearest to its own corner's alpha. Else the peak rotation.
     double peak_reach_rad = 0;
     double peak_side = 0;          ///< of a block whose corners differ: the sign of the peak rotation
     double impact_spin_radps = 0;  ///< largest |omega| before an impact

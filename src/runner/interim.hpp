@@ -1,4 +1,4 @@
-/// What an unfinished run has committed so far, counted as a merge would count it.
+/// Committed results of an unfinished run, counted as a merge would count them.
 #pragma once
 
 #include <cstdint>

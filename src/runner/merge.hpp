@@ -28,14 +28,14 @@ namespace overturn {
                                                       std::span<RareBody const> rare = {},
                                                       output::TextOptions const& options = {});
 
-/// How merging the parts of an array job ended.
+/// End of merging the parts of an array job.
 enum class MergeEnd { complete, missing };
 
 /// Merges what `overturn run --part` left beside `output`, however many parts it was. Prints the results.
 /// \throws InputError if nothing was begun there, or a run is writing there now
 [[nodiscard]] MergeEnd merge_parts(std::filesystem::path const& output, output::TextOptions const& options = {});
 
-/// What the unfinished run that is to write `output` was begun with, by this program.
+/// The campaign that the unfinished run for `output` was begun with, by this program.
 /// \throws InputError if nothing was begun there, saying so, what it was is not on record, or another program began it
 [[nodiscard]] CampaignInput begun_campaign(std::filesystem::path const& output);
 

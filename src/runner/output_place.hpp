@@ -1,4 +1,4 @@
-/// Where a run's results and its unfinished blocks lie, and whether this run may have them.
+/// Place of a run's results and of its unfinished blocks, and this run's right to them.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +15,14 @@
 
 namespace overturn {
 
-/// What a run finds when it starts.
+/// State of the output when a run starts.
 struct OutputState {
     bool complete = false;  ///< the finished file of this very campaign is there
     bool begun = false;     ///< there is a record of it that an earlier run left behind
     bool keeps = false;     ///< rows of an earlier campaign are there: a finished file's, or blocks that were set aside
 };
 
-/// What a run wants to do there.
+/// Request of a run for the output.
 struct OutputRequest {
     bool resume = false;
     bool extend = false;  ///< a finished file that can be extended is no obstacle; with resume
@@ -56,7 +56,7 @@ void warn_of_little_space(std::filesystem::path const& output, Plan const& plan,
 [[nodiscard]] std::vector<std::int64_t> sound_blocks(store::ShardFolder const& shards, Plan const& plan,
                                                      store::BlockRange range);
 
-/// What blocks say of their waves: \throws SystemError if one is damaged
+/// Takes the acceptance of waves from their blocks. \throws SystemError if one is damaged
 void take_rows(AcceptedWaves& waves, Plan const& drawn, store::ShardFolder const& shards,
                std::vector<std::int64_t> const& blocks);
 

@@ -1,4 +1,4 @@
-/// What a campaign will cost, by a timed probe of a few of its waves.
+/// Cost of a campaign, by a timed probe of a few of its waves.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct ProbedCost {
     PhaseSeconds models;                                    ///< of the trials that were answered
 
     [[nodiscard]] double wave_s() const { return generation_s + measures_s + trials_s; }
-    /// Of a wave that counts, with those that were drawn in vain.
+    /// Time for a wave that counts, with those that were drawn in vain [s].
     [[nodiscard]] double counted_wave_s() const { return wave_s() + refused_per_wave * (generation_s + measures_s); }
 };
 

@@ -1,4 +1,4 @@
-/// What rank 0 does for all: its text reaches every rank, and its failure is every rank's.
+/// Work of rank 0 for all: its text reaches every rank, and its failure is every rank's.
 #pragma once
 
 #include <string>

@@ -35,7 +35,7 @@ enum class RunEnd { complete, stopped };
                                                      std::span<std::string const> settings,
                                                      parallel::Communicator const& comm);
 
-/// Where a campaign's results go unless stated: its own name with .h5, in the current folder.
+/// Default path of a campaign's results: its own name with .h5, in the current folder.
 [[nodiscard]] std::filesystem::path default_output(std::filesystem::path const& campaign);
 
 }  // namespace overturn

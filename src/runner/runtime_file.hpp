@@ -19,7 +19,7 @@ namespace overturn {
 /// The models of all ranks, from their seconds_text.
 [[nodiscard]] PhaseSeconds sum_of_models(std::vector<std::string> const& ranks);
 
-/// What one run, or one part, did: program, compiler, libraries, and all its ranks.
+/// Record of one run, or one part: program, compiler, libraries, and all its ranks.
 [[nodiscard]] std::string segment_text(Part part, std::vector<std::string> const& ranks, double wall_s,
                                        std::int64_t trials);
 

@@ -11,7 +11,7 @@ namespace overturn {
 /// later or more, kills: launchers may deliver one request twice.
 void stop_on_signals();
 
-/// What held before stop_on_signals() does again; a signal that came meanwhile comes again.
+/// Restores the handlers from before stop_on_signals(), and raises again a signal that came meanwhile.
 void restore_signals();
 
 /// Tells one rank when to stop. SIGUSR1 and the time limit let the block in hand be finished; SIGTERM and SIGINT give

@@ -7,8 +7,8 @@
 
 namespace overturn::simd {
 
-/// Of those that simd/targets.hpp has compiled, what this machine supports, as Highway's numbers; the best first, plain
-/// doubles last.
+/// Instruction sets that simd/targets.hpp has compiled and this machine supports, as Highway's numbers; the best first,
+/// plain doubles last.
 [[nodiscard]] std::vector<std::int64_t> instruction_sets();
 
 [[nodiscard]] std::string_view name_of(std::int64_t instruction_set);

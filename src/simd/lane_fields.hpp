@@ -1,4 +1,4 @@
-/// What the lanes of a kernel hold, field by field, so that a register takes one field of several lanes.
+/// Fields of a kernel's lanes, field by field, so that a register takes one field of several lanes.
 #pragma once
 
 #include <array>

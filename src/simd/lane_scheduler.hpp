@@ -21,7 +21,7 @@ concept LaneKernel = requires(Kernel& kernel, std::optional<typename Kernel::Tra
     { kernel.start_next(place) } -> std::same_as<bool>;
     /// Takes a trajectory on to where lanes can step it. \return false once it is over
     { kernel.advance(trajectory) } -> std::same_as<bool>;
-    /// What is to become of a trajectory that is over.
+    /// Finishes a trajectory that is over.
     kernel.finish(trajectory);
     /// A trajectory's state into its lane, and back.
     kernel.load_lane(trajectory, fields, lane);

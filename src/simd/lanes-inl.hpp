@@ -52,7 +52,7 @@ template <class T> struct Registers<T, 4> { T a, b, c, d; };
 #define OVERTURN_BINARY(p, number, operation) x.part.p = operation(a.part.p, b.part.p)
 #define OVERTURN_TERNARY(p, number, operation) c.part.p = operation(a.part.p, b.part.p, c.part.p)
 
-/// What a comparison says of each lane.
+/// Result of a comparison, lane by lane.
 template <class D, int R> struct Truth { Registers<hn::Mask<D>, R> part; };
 
 /// `R` registers of Highway's type D. For local variables and what is inlined: a std::vector of lanes, say, would be
@@ -253,7 +253,7 @@ OVERTURN_LANES_INLINE void fetch_one(double const* const* samples, hn::Vec<D> in
     next = hn::LoadU(D(), second.data());
 }
 
-/// Of each lane's own samples the one at its index, a whole number below 2^52, and the one after it.
+/// Fetches two samples of each lane's own: the one at its index, a whole number below 2^52, and the one after it.
 template <class D, int R>
 OVERTURN_LANES_INLINE void fetch(double const* const* samples, Lanes<D, R> index, Lanes<D, R>& here,
                                  Lanes<D, R>& next) {

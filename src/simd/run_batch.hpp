@@ -8,8 +8,9 @@
 
 namespace overturn::simd {
 
-/// What a LaneScheduler runs. \tparam Run names its Trial (with block and shaking), Accuracy, Outcome and Lanes; is
-/// made of block, shaking, accuracy and no start; has advance, lane, finish, and static width and step
+/// Kernel of a LaneScheduler for one kind of run. \tparam Run names its Trial (with block and shaking), Accuracy,
+/// Outcome and Lanes; is made of block, shaking, accuracy and no start; has advance, lane, finish, and static width and
+/// step
 template <class Run> class RunBatch {
   public:
     using Fields = typename Run::Lanes;

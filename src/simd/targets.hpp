@@ -1,4 +1,4 @@
-/// Which instruction sets lanes are compiled for: AVX-512, AVX2 and plain doubles on x86, what the machine has
+/// Instruction sets that lanes are compiled for: AVX-512, AVX2 and plain doubles on x86; those of the machine
 /// elsewhere. Every file with lanes includes it before <hwy/foreach_target.h>, so that all choose among the same.
 #pragma once
 

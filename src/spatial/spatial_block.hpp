@@ -12,7 +12,7 @@ namespace overturn {
 
 /// Points of a base at most: a flat square bed of 16 x 16, a rim or a polygon of 256.
 inline constexpr int most_spatial_points = 256;
-/// Of a rim: fewer would give it directions of its own.
+/// Least number of points on a rim: fewer would give it directions of its own.
 inline constexpr int fewest_rim_points = 16;
 
 struct SpatialPoint {

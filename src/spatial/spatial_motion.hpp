@@ -12,8 +12,7 @@
 
 namespace overturn {
 
-/// Where the body starts: at rest, settled under its weight, unless stated. Anchors stand where the points stood
-/// upright.
+/// State at the start: at rest, settled under its weight, unless stated. Anchors stand where the points stood upright.
 struct SpatialStart {
     double x_m = 0, y_m = 0;                         ///< of the centre of gravity
     double rise_m = 0;                               ///< of the centre of gravity above its settled height
@@ -22,8 +21,8 @@ struct SpatialStart {
     std::array<double, 3> angular_velocity_radps{};  ///< about the body's own axes
 };
 
-/// What motion in space has to say beside every model's outcome. Yaw is the turn about the body's axis that is left
-/// when its tilt is undone the shortest way; slip as in SpatialOutcome.
+/// Quantities of motion in space beside every model's outcome. Yaw is the turn about the body's axis that is left when
+/// its tilt is undone the shortest way; slip as in SpatialOutcome.
 struct SpatialQuantities {
     double peak_crush_m = never;
     double peak_contact_force_ratio = never;
@@ -66,7 +65,7 @@ struct SpatialInstant {
     double energy_jpkg = 0;  ///< of motion, height and springs, over the mass; none in settled rest
 
     [[nodiscard]] double tilt_rad() const;
-    /// Of the direction in which the body's top leans, from x towards y.
+    /// Direction in which the body's top leans, from x towards y [rad].
     [[nodiscard]] double azimuth_rad() const;
     /// The tilt as a rotation vector: about x and about y. About y is the planar theta.
     [[nodiscard]] std::array<double, 2> tilts_rad() const;

@@ -13,8 +13,8 @@ struct PeriodBand {
     double t1_s = 0;  ///< the longest, T1; also the length of the window
 };
 
-/// What the length `a` in T0 = 0.05 sqrt(a), T1 = 0.5 sqrt(a) is measured in. The sources do not print it; only with
-/// centimetres does the band span the rocking amplitudes 0.055 to 0.93 of the critical angle by Housner's period.
+/// Unit of the length `a` in T0 = 0.05 sqrt(a), T1 = 0.5 sqrt(a). The sources do not print it; only with centimetres
+/// does the band span the rocking amplitudes 0.055 to 0.93 of the critical angle by Housner's period.
 enum class RadiusUnit { centimetre, metre };
 /// "cm" or "m"
 [[nodiscard]] constexpr char const* name_of(RadiusUnit unit) { return unit == RadiusUnit::metre ? "m" : "cm"; }

@@ -1,4 +1,4 @@
-/// How standards carry a response spectrum from one damping ratio to another. Never applied unless asked for.
+/// Standards' rules that convert a response spectrum from one damping ratio to another. Never applied unless asked for.
 #pragma once
 
 #include <span>

@@ -10,7 +10,7 @@
 
 namespace overturn {
 
-/// What a campaign may choose about a published spectrum.
+/// A campaign's choices for a published spectrum.
 struct NamedTargetInput {
     double damping = 0.05;           ///< ratio to critical [-]
     std::optional<double> pga_mps2;  ///< peak ground acceleration of spectra that are printed for 1 g [m/s2]

@@ -1,4 +1,4 @@
-/// How the deviations of a response spectrum from its median hang together from period to period.
+/// Correlation from period to period of a response spectrum's deviations from its median.
 #pragma once
 
 #include <Eigen/Core>

@@ -51,7 +51,7 @@ struct PeakRule {
 /// `count` periods in equal ratios, both ends included. \throws InputError unless 0 < from < to and count >= 2.
 [[nodiscard]] std::vector<double> log_periods(double from_s, double to_s, std::size_t count);
 
-/// As many periods in equal ratios as give at least `per_decade` of them in each decade.
+/// Periods in equal ratios [s], at least `per_decade` of them in each decade.
 [[nodiscard]] std::vector<double> log_periods_per_decade(double from_s, double to_s, double per_decade);
 
 }  // namespace overturn

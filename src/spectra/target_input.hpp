@@ -1,4 +1,4 @@
-/// How a campaign states a target spectrum.
+/// Target spectrum as a campaign states it.
 #pragma once
 
 #include "config/table.hpp"
@@ -7,7 +7,7 @@
 
 namespace overturn {
 
-/// What may be stated of a target.
+/// Keys of a target.
 extern config::KeyTable const target_table;
 
 /// `points` and `file` hold periods in s and values in m/s2, m/s or m, or in `unit`; `points` may carry units instead,

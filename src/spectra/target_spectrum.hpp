@@ -14,8 +14,8 @@
 
 namespace overturn {
 
-/// What the ordinates of a table are. The first three are readings of one response spectrum; energy_velocity is the
-/// input energy spectrum V_E(T, damping), which no formula turns into a response: waves are matched to it as it is.
+/// Quantity of a table's ordinates. The first three are readings of one response spectrum; energy_velocity is the input
+/// energy spectrum V_E(T, damping), which no formula turns into a response: waves are matched to it as it is.
 enum class TargetKind { acceleration, pseudo_velocity, displacement, energy_velocity };
 
 /// The kinds under the names users write.
@@ -102,7 +102,7 @@ struct PairTable;
                                              double damping, std::optional<double> unit_si = {},
                                              bool silence_is_si = false);
 
-/// What the ordinates of a kind measure.
+/// Dimension of the ordinates of a kind.
 [[nodiscard]] Dimension dimension_of(TargetKind kind);
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-/// How the fit would scatter if the campaign were run again: fits to resampled data (Efron 1979).
+/// Scatter of the fit if the campaign were run again: fits to resampled data (Efron 1979).
 #pragma once
 
 #include <span>
@@ -25,12 +25,12 @@ class Bootstrap {
     void lower_medians(std::span<double const> by);
 
     [[nodiscard]] Interval beta(double confidence) const;
-    /// Of the intensity at which P is `probability`; the ends may be 0 and infinite.
+    /// Interval of the intensity at which P is `probability`; the ends may be 0 and infinite.
     [[nodiscard]] Interval intensity(double probability, double confidence) const;
     [[nodiscard]] Interval probability(double intensity, double confidence) const;
     [[nodiscard]] std::vector<Replicate> const& replicates() const { return replicates_; }
     [[nodiscard]] std::size_t size() const { return replicates_.size(); }
-    /// How many replicates held no curve.
+    /// Number of replicates that held no curve.
     [[nodiscard]] std::size_t without_curve() const { return without_curve_; }
 
   private:

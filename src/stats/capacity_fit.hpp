@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// Of one wave.
+/// Capacity found under one wave.
 struct Capacity {
     double intensity = 0;  ///< at which it fell; the highest that was tried, where it did not
     bool reached = true;   ///< false: censored, it stood up to there
@@ -33,7 +33,7 @@ struct CapacityMoments {
                                          double probability, double confidence);
 [[nodiscard]] Interval profile_beta(std::span<Capacity const> capacities, ProbitLine const& best, double confidence);
 
-/// What fell at each intensity: all waves tried at every capacity that was reached, those censored below it undecided.
+/// Stripes of the capacities: all waves tried at every capacity that was reached, those censored below it undecided.
 [[nodiscard]] std::vector<Stripe> stripes_of(std::span<Capacity const> capacities);
 
 /// All of it as a fragility: the curve with profile intervals and refits to resampled waves; where there is no curve,

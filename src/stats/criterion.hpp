@@ -43,8 +43,8 @@ struct CriterionStudy {
     Share overturned_said_safe;          ///< of all trials that overturned
     Share unsafe_but_stood;              ///< of all trials predicted unsafe: the false alarms
     Share stood_said_unsafe;             ///< of all trials that stood
-    /// Of the waves with a trial said safe, those with one of these overturned: trials of one wave are not independent,
-    /// waves are.
+    /// Waves with a trial said safe: the share of them in which one of these overturned. Trials of one wave are not
+    /// independent, waves are.
     Share waves_safe_but_overturned;
     Share waves_safe_uplifted_but_overturned;         ///< the same of waves with a trial said safe that uplifted
     std::optional<RatioQuantiles> at_overturning;     ///< all trials that overturned

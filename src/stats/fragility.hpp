@@ -13,11 +13,11 @@
 
 namespace overturn {
 
-/// What passing the limit state is called: a body overturns, a response exceeds its limit. "overturned" in the names of
-/// this room stands for either.
+/// Name for passing the limit state: a body overturns, a response exceeds its limit. "overturned" in the names of this
+/// room stands for either.
 enum class Passing : std::uint8_t { overturned, exceeded };
 
-/// What a reader must know about a fit. Stored as bits: never renumber.
+/// Remarks on a fit that a reader must know. Stored as bits: never renumber.
 enum class FragilityFlag : std::uint32_t {
     no_trials = 0,
     nothing_overturned = 1,
@@ -65,7 +65,7 @@ struct FragilityData {
                                                  std::int64_t alike = 1);
 };
 
-/// Where P is wanted.
+/// An intensity at which P is wanted.
 struct Quote {
     double intensity = 0;  ///< [SI]
     double multiple = 1;   ///< of the design basis
@@ -87,7 +87,7 @@ struct FragilityRequest {
     BootstrapKey bootstrap;
 };
 
-/// What trials at some intensities say of P there, and of P below or above them if it does not fall.
+/// Bound on P from the trials at some intensities: for P there, and for P below or above them if it does not fall.
 struct SeenBound {
     double from = 0, to = 0;           ///< intensities
     double units = 0, overturned = 0;  ///< trials; distinct waves where single trials share them; no units: none there
@@ -115,22 +115,21 @@ struct QuotedProbability {
     std::optional<double> curve;        ///< of the curve, whatever it is worth there
     Interval bounds;                    ///< [0, 1] where nothing is known
     enum class Source { none, curve, stripe, neighbours };
-    /// Of the bounds: stripe where all trials there ended alike, or no curve describes the data; likewise neighbours,
-    /// where no stripe lies there but one on either side.
+    /// Source of the bounds: stripe where all trials there ended alike, or no curve describes the data; likewise
+    /// neighbours, where no stripe lies there but one on either side.
     Source source = Source::none;
     double trials = 0, overturned = 0;  ///< seen right there
     Interval seen;                      ///< their exact interval
-    /// Where nothing overturned there, nor at further stripes next above, and they share no waves: all of them. P rises
-    /// with the intensity, so that they bound it better than the trials right there alone.
+    /// All stripes from there on in which nothing overturned, where they share no waves. P rises with the intensity, so
+    /// that they bound it better than the trials right there alone.
     std::optional<SeenBound> pooled;
     /// Between two stripes: P, which rises with the intensity, lies from the lower end below to the upper end above.
     /// Elsewhere only where no curve describes the data.
     std::optional<Neighbours> neighbours;
     bool outside_data = false;  ///< below or above all intensities that were tried
     bool in_tail = false;       ///< P below a tenth of the lowest proportion that is not zero
-    /// Where the curve's P lies below `least`, which no sample of that size can speak of: what was seen at the nearest
-    /// intensities from there on. P rises with the intensity, so its upper end bounds P; there is no `probability`
-    /// then.
+    /// Bound from the nearest intensities from there on, where the curve's P lies below `least`, which no sample of
+    /// that size can resolve. P rises with the intensity, so its upper end bounds P; there is no `probability` then.
     std::optional<SeenBound> bound;
     double least = 0;  ///< a tenth of one in the trials there, or at the nearest intensities from there on
 };
@@ -165,7 +164,8 @@ struct FragilityFit {
     Method method = Method::profile_likelihood;
     std::size_t replicates = 0, replicates_without_curve = 0;
     std::vector<Replicate> refits;  ///< of the bootstrap, for what is computed from the curve
-    /// Of undecided trials all standing and all fallen, an empty list where that holds no curve; none without any.
+    /// Refits with the undecided trials all standing and all fallen: an empty list where that holds no curve; none
+    /// without any.
     std::vector<std::vector<Replicate>> extreme_refits;
 
     std::optional<GoodnessOfFit> goodness;
@@ -178,20 +178,22 @@ struct FragilityFit {
     bool beta_u_known = false;        ///< stated, or drawn and told apart from none
     double beta_u = 0;                ///< drawn and stated together
     double beta_u_drawn = 0;          ///< the part of it that the fitted beta holds
-    /// Where the proportions contradict the curve about its 5 % point: what the stripes on either side hold.
+    /// Stripes on either side of the 5 % point, where the proportions contradict the curve about it.
     std::optional<Neighbours> beside_five_percent;
     std::vector<QuotedProbability> quotes;
     std::vector<BandPoint> band;
 
     [[nodiscard]] bool identifiable() const { return line.has_value(); }
-    /// What waves alone add to beta.
+    /// Part of beta from waves alone.
     [[nodiscard]] double beta_r() const;
-    /// Where the curve, with all that was drawn, reaches 5 %: exp(ln median - 1.645 beta). Nothing without a curve.
+    /// Intensity at which the curve, with all that was drawn, reaches 5 %: exp(ln median - 1.645 beta). Nothing without
+    /// a curve.
     [[nodiscard]] std::optional<double> five_percent_point() const;
     /// exp(ln median - 1.645 (beta_R + beta_U)): high confidence, low probability of failure (EPRI TR-103959). Nothing
     /// where beta_U is not known.
     [[nodiscard]] std::optional<double> hclpf() const;
-    /// Where the composite curve, with beta_R and beta_U together, reaches 1 %; nothing where HCLPF is not known.
+    /// Intensity at which the composite curve, with beta_R and beta_U together, reaches 1 %; nothing where HCLPF is not
+    /// known.
     [[nodiscard]] std::optional<double> one_percent_point() const;
     /// Median of the curve that is believed with this confidence to lie at or right of the true one; its beta is
     /// beta_r(): exp(ln median - beta_U Phi^-1(confidence)). Nothing where beta_U is not known.
@@ -200,7 +202,7 @@ struct FragilityFit {
     [[nodiscard]] Intervals const& intervals() const { return *ends; }
 };
 
-/// Of the family of curves that is told: 5, 50 and 95 %.
+/// Confidences of the curves that are reported.
 inline constexpr std::array told_confidences{0.05, 0.5, 0.95};
 
 [[nodiscard]] FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& request);

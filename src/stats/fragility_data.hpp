@@ -39,7 +39,7 @@ struct FragilityPoint {
 /// \pre every intensity is above 0
 [[nodiscard]] std::vector<FragilityPoint> points_of(std::span<SingleTrial const> trials, std::size_t most);
 
-/// Where the points of a trial list lie: the cell of every trial, in the trials' order.
+/// Points of a trial list, and the cell of every trial, in the trials' order.
 struct Cells {
     std::vector<FragilityPoint> points;
     std::vector<std::size_t> cell_of_trial;
@@ -65,7 +65,7 @@ enum class FragilityState : std::uint8_t {
     undecided = 9,      ///< too many trials have no verdict: where the median lies hangs on what they would have done
 };
 
-/// What the data alone say, before any fit: fitted or not_rising remain to be told apart.
+/// State by the data alone, before any fit: fitted and not_rising are not yet distinguished.
 /// Albert & Anderson (1984): the maximum is finite if and only if the outcomes overlap.
 [[nodiscard]] FragilityState state_of(std::span<FragilityPoint const> points);
 

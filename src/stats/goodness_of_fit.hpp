@@ -17,11 +17,11 @@ struct GoodnessOfFit {
     int degrees_of_freedom = 0;  ///< groups less two; 0: nothing left to judge by
     double p_value = 1;          ///< of so large a deviance by chance (`test_shape`)
     bool chi_squared = false;    ///< few groups, in which the curve expects many: p_value is that of chi squared
-    /// Of the stripe (or tenth of the trials) farthest from the curve: twice its exact binomial tail, times their
-    /// number (Bonferroni). What pooling hides, a single overturning where the curve holds none, it finds.
+    /// Chance of the stripe (or tenth of the trials) farthest from the curve: twice its exact binomial tail, times
+    /// their number (Bonferroni). It finds what pooling hides, such as a single overturning where the curve holds none.
     double stripe_p_value = 1;
 
-    /// Of both counts together (Bonferroni).
+    /// Chance of both counts together (Bonferroni).
     [[nodiscard]] double least_p_value() const { return std::min(1.0, 2 * std::min(p_value, stripe_p_value)); }
 };
 

@@ -20,7 +20,8 @@ struct HazardPoint {
     double annual_exceedance = 0;  ///< mean number of exceedances in a year [1/a]
 };
 
-/// Of one point and the one before it, if there is one; exceedances may stay the same from one to the next.
+/// Checks one point and the one before it, if there is one; exceedances may stay the same from one to the next.
+/// \throws InputError with the point's own numbers
 /// \throws InputError with the point's own numbers
 void check_hazard_point(HazardPoint const& point, HazardPoint const* before);
 

@@ -1,4 +1,4 @@
-/// What a fragility curve and a hazard curve bound together, where either of them ends.
+/// Bounds on the annual frequency where a fragility curve or a hazard curve ends.
 #pragma once
 
 #include <optional>
@@ -42,7 +42,7 @@ struct FrequencyBounds {
 /// The integral with the hazard curve continued beyond both ends at the slopes it has there: an estimate [1/a].
 [[nodiscard]] double continued_frequency(HazardCurve const& hazard, LognormalFragility const& fragility);
 
-/// How much a straight line between two points of the hazard curve decides.
+/// Effect of a straight line between two points of the hazard curve that lie far apart.
 struct WidePiece {
     double from = 0, to = 0;  ///< intensities
     double decades = 0;       ///< of exceedance between them

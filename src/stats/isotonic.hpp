@@ -21,11 +21,11 @@ struct PooledPoints {
 /// estimates. \param points rising
 [[nodiscard]] std::vector<PooledPoints> isotonic_estimate(std::span<FragilityPoint const> points);
 
-/// Where the isotonic estimate passes 1/2: [highest intensity with P < 1/2, lowest with P >= 1/2], open ends 0 and
-/// infinity.
+/// Interval in which the isotonic estimate passes 1/2: [highest intensity with P < 1/2, lowest with P >= 1/2], open
+/// ends 0 and infinity.
 [[nodiscard]] Interval isotonic_median(std::span<PooledPoints const> pools);
 
-/// How the points fall short of rising.
+/// Test whether the points rise.
 struct MonotoneTest {
     double deviance =
         0;  ///< of the isotonic estimate against a free one for every point; groups of alike trials as one

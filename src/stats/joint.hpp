@@ -11,7 +11,7 @@
 
 namespace overturn {
 
-/// How one body ended under a wave at a level.
+/// End of one body under a wave at a level.
 enum class JointEnd : std::uint8_t { stood, overturned, undecided };
 
 /// All bodies under one wave at one level.
@@ -21,7 +21,7 @@ struct JointTrial {
     std::int64_t count = 1;      ///< so many waves ended so
 };
 
-/// Of two bodies, over trials that decide both.
+/// Correlation of two bodies, over trials that decide both.
 struct JointPair {
     std::size_t first = 0, second = 0;
     /// Correlation of the two outcomes (phi coefficient) at each level; nothing where either ended alike throughout.

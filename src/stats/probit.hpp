@@ -19,7 +19,7 @@ struct ProbitLine {
     [[nodiscard]] double at(double log_intensity) const { return intercept + slope * log_intensity; }
 };
 
-/// Of one point at the normal score z: k ln Phi(z) + (n - k) ln Phi(-z), and its derivative by z.
+/// Log-likelihood of one point at the normal score z: k ln Phi(z) + (n - k) ln Phi(-z), and its derivative by z.
 [[nodiscard]] double log_likelihood(FragilityPoint const& point, double z);
 [[nodiscard]] double score(FragilityPoint const& point, double z);
 

@@ -1,4 +1,4 @@
-/// How well a measure puts trials that overturned above trials that stood, whatever curve describes it.
+/// Rank of a measure: how well it puts trials that overturned above trials that stood, whatever curve describes it.
 #pragma once
 
 #include <span>

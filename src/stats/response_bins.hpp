@@ -1,4 +1,4 @@
-/// How a body answered (V_resp) the energy that its waves offered (V_WES), with and without slip.
+/// Response of a body (V_resp) to the energy that its waves offered (V_WES), with and without slip.
 #pragma once
 
 #include <optional>

@@ -7,7 +7,7 @@
 
 namespace overturn::store {
 
-/// What to do about a disk that gave an error while results were written. \param reason errno
+/// Advice for a disk that gave an error while results were written. \param reason errno
 [[nodiscard]] char const* advice_on_disk(int reason);
 
 /// Forces a written file to disk. \throws SystemError
@@ -16,14 +16,14 @@ void make_durable(std::filesystem::path const& path);
 /// Renames within one folder and forces the folder to disk. \throws SystemError
 void rename_durably(std::filesystem::path const& from, std::filesystem::path const& to);
 
-/// What follows a file's name while it is being written by write_durably, before what tells the writers apart.
+/// Suffix of a file's name while write_durably writes it, before what distinguishes the writers.
 inline constexpr char const* unfinished_mark = ".tmp";
 
 /// Writes `content` under `path`, whole or not at all, whoever else writes it.
 /// \throws SystemError saying what failed (full disk, no right, ...)
 void write_durably(std::filesystem::path const& path, std::span<std::byte const> content);
 
-/// What is to be in a file.
+/// Path and content of a file to be written.
 struct FileContent {
     std::filesystem::path path;
     std::span<std::byte const> bytes;
@@ -47,7 +47,7 @@ class FileInWork {
     FileInWork(FileInWork&&) = delete;
     FileInWork& operator=(FileInWork&&) = delete;
 
-    /// Where to write it.
+    /// Path to write to.
     [[nodiscard]] std::filesystem::path const& beside() const { return beside_; }
     /// Whole and durable at its place. \throws SystemError
     void keep();

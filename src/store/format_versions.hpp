@@ -7,7 +7,7 @@
 
 namespace overturn::store {
 
-/// What is known of files of this version, in one line, beginning with a blank; empty if nothing is. Each says which
+/// Known errors of files of this version, in one line, beginning with a blank; empty if none are. Each says which
 /// results it touches.
 [[nodiscard]] std::string known_errors_of(std::int64_t version);
 

@@ -25,8 +25,8 @@ struct TableSpec {
     std::string group;  ///< "trials", "waves/type-a"
     std::size_t row_bytes = 0;
     Fields columns;
-    /// What the rows run along: one of the columns; else the dataset of an earlier table ("trials/trial"); else, as
-    /// "trial", a further dataset of the group that numbers the rows from 0. Empty: each column is its own.
+    /// Axis of the rows: one of the columns; else the dataset of an earlier table ("trials/trial"); else, as "trial", a
+    /// further dataset of the group that numbers the rows from 0. Empty: each column is its own.
     std::string axis = {};
     std::string axis_description = {};
 
@@ -51,7 +51,7 @@ class ResultsWriter {
     void attribute(std::string const& where, std::string const& name, std::string const& text);
     void attribute(std::string const& where, std::string const& name, std::int64_t value);
     void attribute(std::string const& where, std::string const& name, double value);
-    /// Of all groups so far.
+    /// Names of all groups so far.
     [[nodiscard]] std::vector<std::string> groups() const;
 
     /// Declares a table of exactly `rows` rows. \return its number for append
@@ -82,7 +82,7 @@ class ResultsWriter {
     bool finished_ = false;
 };
 
-/// What a file says of one of its columns.
+/// Description of a column, as its file gives it.
 struct ColumnMeaning {
     std::string path;  ///< "trials/v_wes"
     std::string units, description;

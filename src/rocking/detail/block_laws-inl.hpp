@@ -10,8 +10,8 @@
 //   A, Gv          horizontal acceleration of the ground, mirrored, and 1 + its vertical one, over g [-]
 // mul_add(a, b, c) is a b + c: rounded once in lanes, twice in doubles.
 
-/// What turns the block back to the ground, over m g R [-]. Equation of motion without slip (Housner 1963, eq. 1, with
-/// ground acceleration as in Yim, Chopra & Penzien 1980): phi'' = -p^2 pull, pull = Gv sin psi + A cos psi.
+/// Moment that turns the block back to the ground, over m g R [-]. Equation of motion without slip (Housner 1963, eq.
+/// 1, with ground acceleration as in Yim, Chopra & Penzien 1980): phi'' = -p^2 pull, pull = Gv sin psi + A cos psi.
 /// Linear in the forcing: with Gv - 1 in place of Gv it is the shaking's share, and -phi' times that its power.
 template <class Vertical, class Horizontal, class Sine, class Cosine>
 OVERTURN_LAW auto pull(Vertical gv, Horizontal a, Sine s, Cosine c) {
@@ -25,7 +25,7 @@ template <class Number> OVERTURN_LAW Number pull_in_other_order(Number gv, Numbe
 /// The same without vertical motion, Gv = 1.
 template <class Horizontal, class Number> OVERTURN_LAW auto pull(Horizontal a, Number s, Number c) { return s + a * c; }
 
-/// What the ground gives to the corner over m g: F along the ground, pointing with the rocking side, and N across it.
+/// Forces of the ground on the corner over m g: F along the ground, pointing with the rocking side, and N across it.
 template <class Number> struct ContactForces { Number friction, normal; };
 
 /// Newton's law for the centre of gravity while the corner does not slip, mirrored:
@@ -64,15 +64,15 @@ template <class Number> OVERTURN_LAW Number kinetic_energy(Number across, Number
     return 0.5 * (across * across + up * up + kappa * spin * spin);
 }
 
-/// What slows a block that has just left the ground: -phi'' at phi = 0, p^2 cos alpha (Gv tan alpha + A).
+/// Angular deceleration of a block that has just left the ground: -phi'' at phi = 0, p^2 cos alpha (Gv tan alpha + A).
 template <class Number>
 OVERTURN_LAW Number deceleration_at_ground(Number p, Number cosine_alpha, Number uplift_ratio, Number gv, Number a) {
     return p * p * cosine_alpha * (gv * uplift_ratio + a);
 }
 
-/// How long the bouncing lasts that starts with a rate phi', under forcing that stays as it is: impacts accumulate at a
-/// finite time. A small half cycle lasts 2 rate / deceleration, the next one, over the other corner, starts with e
-/// times the rate and so on: a geometric series. \param e, next_e restitution on leaving this corner and the other one
+/// Duration of the bouncing that starts with a rate phi', under constant forcing: impacts accumulate at a finite time.
+/// A small half cycle lasts 2 rate / deceleration. The next one, over the other corner, starts with e times the rate
+/// and so on: a geometric series. \param e, next_e restitution on leaving this corner and the other one
 template <class Number>
 OVERTURN_LAW Number bouncing_time(Number rate, Number deceleration, Number next_deceleration, Number e, Number next_e) {
     return 2 * rate * (1 / deceleration + e / next_deceleration) / (1 - e * next_e);

@@ -6,7 +6,7 @@
 
 namespace overturn::rocking {
 
-/// Where a trial stood before the step in which friction gave out. Up to there slip changes no bit.
+/// State of a trial before the step in which friction was exceeded. Up to there slip changes no bit.
 struct Checkpoint {
     bool reached = false;  ///< else friction did not give out, or only after the wave
     RockingOutcome so_far;

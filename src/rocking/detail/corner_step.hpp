@@ -1,4 +1,4 @@
-/// What steps on one corner have in common, stuck or slipping: where they end, and what they leave behind.
+/// Common part of steps on one corner, stuck or slipping: their end, and the state after them.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace overturn::rocking {
 /// Makes of the state, which stands at the event, what it is after it.
 using Reset = void (*)(RockingRun& run);
 
-/// Where a step ends: at a guard's zero, with the reset that belongs to it, or before any. [s] from its start.
+/// End of a step: at a guard's zero, with the reset that belongs to it, or before any. [s] from its start.
 struct Ending {
     double at;
     Reset reset = nullptr;

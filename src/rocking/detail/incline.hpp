@@ -15,7 +15,7 @@ struct Incline {
     [[nodiscard]] ContactForces<Number> turned(ContactForces<Number> const& from, double side) const {
         return level() ? from : with_slope(from, side);
     }
-    /// What a turned pair may change by, at most, where each of the pair changes by one.
+    /// Largest change of a turned pair where each of the pair changes by one.
     [[nodiscard]] double spread() const { return cosine + std::abs(sine); }
     /// Gravity's share included: it drives along the ground.
     [[nodiscard]] Forcing turned(Forcing const& f, double side) const {
@@ -26,7 +26,7 @@ struct Incline {
         auto const [along_slope, across_slope] = with_slope<double>({f.horizontal.slope, f.vertical.slope}, side);
         return {{along, along_slope}, {across, across_slope}};
     }
-    /// What of a turned forcing is shaking: as if gravity pulled across the ground.
+    /// Shaking in a turned forcing: as if gravity pulled across the ground.
     [[nodiscard]] Forcing shaking_of(Forcing const& turned, double side) const {
         return {{turned.horizontal.start + side * sine, turned.horizontal.slope},
                 {turned.vertical.start - cosine + 1, turned.vertical.slope}};

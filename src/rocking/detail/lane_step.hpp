@@ -10,8 +10,8 @@
 
 namespace overturn::rocking {
 
-/// What a lane holds. Time in s, angles in rad, mirrored to the corner that the block stands on as in State
-/// (phi = side * theta >= 0); forces over m g, energies over m g R.
+/// Fields of a lane. Time in s, angles in rad, mirrored to the corner that the block stands on as in State (phi = side
+/// * theta >= 0); forces over m g, energies over m g R.
 enum class RockingField : int {
     // state
     phi,
@@ -97,7 +97,7 @@ void step_lanes(RockingFields<1>& lane, bool vertical);
 /// One step of a lane alone, if it needs no care. \return false where step_lanes would have stopped
 [[nodiscard]] bool step_lane_once(RockingFields<1>& lane, bool vertical, LaneStep& series);
 
-/// How many of most_lanes this machine steps; the others stay as they are.
+/// Number of lanes, of most_lanes, that this machine steps; the others stay as they are.
 [[nodiscard]] int lane_width();
 
 }  // namespace overturn::rocking

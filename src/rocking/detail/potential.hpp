@@ -1,4 +1,4 @@
-/// What holds the block upright: its potential energy, and where that turns it back or lets it uplift.
+/// Potential energy of the block, and its limits: where it turns back, and where it uplifts.
 #pragma once
 
 #include <cmath>
@@ -7,7 +7,7 @@
 
 namespace overturn::rocking {
 
-/// What holds the block upright, over m g R: of the block as it is, or linearised (Housner 1963: psi for sin psi, 1 for
+/// Potential energy of the block over m g R: of the block as it is, or linearised (Housner 1963: psi for sin psi, 1 for
 /// cos psi).
 class Potential {
   public:

@@ -1,5 +1,5 @@
-/// What an event makes of the state: each reset of the modes, but for the impact's (impact.hpp). The guards that call
-/// for them stand where each mode takes its steps.
+/// State after an event: the reset of each mode, except that of an impact (impact.hpp). The guards that call them stand
+/// where each mode takes its steps.
 #pragma once
 
 #include "rocking/detail/rocking_run.hpp"

@@ -5,7 +5,7 @@
 
 namespace overturn::rocking {
 
-/// How phi stands at the start of a step: a zero there is no event, however close rounding brings it.
+/// Kind of the zero of phi at the start of a step: such a zero is no event, however close rounding brings it.
 enum class StartRoot { none = 0, simple = 1, twofold = 2 };
 
 namespace detail {

@@ -11,7 +11,7 @@
 
 namespace overturn::rocking {
 
-/// What a simd::LaneScheduler runs: rocking without slip in lanes, everything else in the trial's own run.
+/// Kernel of a simd::LaneScheduler: rocking without slip in lanes, everything else in the trial's own run.
 class RockingLanes {
   public:
     using Fields = RockingFields<most_lanes>;

@@ -18,7 +18,7 @@ namespace overturn::rocking {
 /// Whether this accuracy is the one that step_lanes is compiled for: order and steps of campaigns, no linearisation.
 [[nodiscard]] bool steps_in_lanes(RockingAccuracy const& accuracy);
 
-/// What of a trial stays as it is.
+/// Constants of a trial.
 struct RockingSetup {
     RockingSetup(RockingBlock const& of, Excitation const& by, RockingAccuracy const& with, Slip friction);
 
@@ -78,7 +78,7 @@ struct RockingRun {
     }
     /// Forcing along and across the ground, mirrored to a side.
     [[nodiscard]] Forcing ground_forcing(double side) const { return setup.incline.turned(sample.forcing(side), side); }
-    /// What of it is shaking.
+    /// Shaking in this forcing.
     [[nodiscard]] Forcing shaking_of(Forcing const& forcing, double side) const {
         return setup.lopsided ? setup.incline.shaking_of(forcing, side) : forcing;
     }

@@ -1,4 +1,4 @@
-/// Where a trial of planar rocking stands.
+/// State of a trial of planar rocking.
 #pragma once
 
 #include <cstddef>
@@ -22,7 +22,7 @@ struct State {
     StartRoot start_root = StartRoot::none;  ///< how phi stands here: a zero at a step's start is no event
 };
 
-/// How far the wave has been followed, beside the time within its sample.
+/// Place in the wave, beside the time within its sample.
 struct Progress {
     std::size_t sample = 0;  ///< the interval from this one to the next
     int steps_here = 0;      ///< within it

@@ -1,4 +1,4 @@
-/// What a trial remembers while it runs: peaks, monitors, times; and the observer who watches it.
+/// Log of a running trial: peaks, monitors, times; and the observer who watches it.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ class TrialLog {
     [[nodiscard]] bool observed() const { return observer_ != nullptr; }
     [[nodiscard]] bool done() const { return done_; }
 
-    /// Which of two differing corners it is on. \param reach the weaker corner's alpha over this one's
+    /// Sets which of two differing corners it stands on. \param reach the weaker corner's alpha over this one's
     /// \param weight this corner's m g R over the weaker one's
     void stand_on(double side, double reach, double weight) {
         side_ = side;
@@ -47,7 +47,7 @@ class TrialLog {
     void raise_slip(double slip_m) { out_.peak_slip_m = std::max(out_.peak_slip_m, std::abs(slip_m)); }
     void raise_demand(double demand) { out_.friction_demand = std::max(out_.friction_demand, demand); }
     void lower_contact(double normal) { out_.min_contact_force_ratio = std::min(out_.min_contact_force_ratio, normal); }
-    /// Of a base that does not slip.
+    /// Monitors the forces on a base that does not slip.
     void watch_forces(ContactForces<double> const& at) {
         lower_contact(at.normal);
         raise_demand(at.normal > 0 ? std::abs(at.friction) / at.normal : std::numeric_limits<double>::infinity());
@@ -80,7 +80,7 @@ class TrialLog {
         out_.failure = reason;
         end(Verdict::failed);
     }
-    /// What another log has remembered up to an instant. \param energy its energy_at_weaker()
+    /// Continues from another log up to an instant. \param energy its energy_at_weaker()
     void resume(RockingOutcome const& so_far, double energy) {
         out_ = so_far;
         energy_ = energy;

@@ -21,7 +21,7 @@
 
 namespace overturn {
 
-/// Where the rows of an earlier campaign lie.
+/// Rows of an earlier campaign, by wave.
 class EarlierRows {
   public:
     virtual ~EarlierRows() = default;
@@ -35,9 +35,10 @@ class EarlierRows {
     [[nodiscard]] Plan const& plan() const { return plan_; }
     /// Waves that are there.
     [[nodiscard]] std::int64_t count() const { return std::ssize(places_); }
-    /// Where the wave with that identity lies among those that are there.
+    /// Place of the wave with that identity among those that are there.
     [[nodiscard]] std::optional<std::int64_t> find(std::int64_t wave_id) const;
-    /// Of waves that lie there one after the other, as the earlier campaign numbers bodies and levels.
+    /// Rows of consecutive waves, as the earlier campaign numbers bodies and levels.
+    /// \throws SystemError if they cannot be read
     /// \throws SystemError if they cannot be read
     [[nodiscard]] virtual BlockRows rows(std::int64_t first, std::int64_t count) const = 0;
 
@@ -53,7 +54,7 @@ class EarlierRows {
     std::vector<std::pair<std::int64_t, std::int64_t>> places_;  ///< by identity
 };
 
-/// Of a finished file, whoever vouches for its seal.
+/// Rows of a finished file, whoever vouches for its seal.
 class FinishedRows : public EarlierRows {
   public:
     explicit FinishedRows(std::filesystem::path const& output);
@@ -65,7 +66,7 @@ class FinishedRows : public EarlierRows {
     StoredRows rows_;
 };
 
-/// Of blocks that were set aside (ShardFolder::set_aside).
+/// Rows of blocks that were set aside (ShardFolder::set_aside).
 class UnfinishedRows : public EarlierRows {
   public:
     /// \param blocks those that are sound, rising
@@ -77,7 +78,7 @@ class UnfinishedRows : public EarlierRows {
     std::vector<std::int64_t> blocks_, firsts_;  ///< and where the first wave of each lies
 };
 
-/// What of earlier campaigns a larger one can use.
+/// Rows of earlier campaigns that a larger one can use.
 class KeptRows : public KnownTrials {
   public:
     /// \param spec and `plan` outlive it
@@ -89,7 +90,7 @@ class KeptRows : public KnownTrials {
     [[nodiscard]] bool has_some(std::int64_t block) const;
     /// \pre has_all(block)
     [[nodiscard]] BlockRows block(std::int64_t number) const;
-    /// Where the first of its waves is from. \pre has_all(block)
+    /// Origin of the first of its waves. \pre has_all(block)
     [[nodiscard]] std::string const& origin(std::int64_t block) const;
 
     [[nodiscard]] std::optional<KnownWave> of(std::int64_t wave) const override;
@@ -118,7 +119,7 @@ class KeptRows : public KnownTrials {
     void append(BlockRows& block, std::int64_t first_wave, Found const& from, std::int64_t count) const;
     void put(KnownWave& known, std::int64_t wave, Found const& from) const;
     [[nodiscard]] Read const& read(Found const& from) const;
-    /// Where the trial of a body at one of the wave's levels lies among an earlier wave's.
+    /// Place of a body's trial at one of the wave's levels among an earlier wave's trials.
     [[nodiscard]] std::optional<std::size_t> trial_in(Source const& source, std::int64_t wave, std::int64_t body,
                                                       std::int64_t level) const;
 

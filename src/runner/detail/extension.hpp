@@ -24,7 +24,7 @@ namespace overturn {
 [[nodiscard]] bool can_take_over(store::ShardFolder const& shards, CampaignInput const& begun,
                                  CampaignInput const& input);
 
-/// What is to be kept, and where it lies; a text that goes to all ranks.
+/// Rows to be kept, and their places; a text that goes to all ranks.
 struct KeptPlaces {
     std::string text;
     std::int64_t blocks = 0;   ///< taken whole

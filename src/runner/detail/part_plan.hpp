@@ -1,4 +1,4 @@
-/// Which waves a part of an array job is planned over.
+/// Waves that a part of an array job is planned over.
 #pragma once
 
 #include "campaign/campaign_spec.hpp"

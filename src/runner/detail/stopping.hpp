@@ -17,7 +17,7 @@ namespace overturn {
 /// whole blocks. Empty without a target.
 [[nodiscard]] std::vector<std::int64_t> stopping_points(CampaignSpec const& spec, Plan const& plan);
 
-/// How the first waves of a campaign stand to its targets.
+/// The first waves of a campaign against its targets.
 struct TargetLook {
     bool met = false;
     /// Why no number of waves will meet them as far as can be seen: "type-a cannot meet target_half_width = 0.1 (...)";

@@ -45,7 +45,7 @@ struct WorkDone {
     void add(WorkDone const& more);
 };
 
-/// What is computed, where it goes, and what of it is known.
+/// Work of a rank: the campaign, the folder for its blocks, and the known trials.
 struct Work {
     CampaignSpec const& spec;
     Plan const& plan;

@@ -53,7 +53,8 @@ template <class V, int Stride> class PointForce : protected SpatialBody<V, Strid
     [[nodiscard]] Base const& base_at_start() const { return start_; }
 
   private:
-    /// What presses and drags points: depth, approach, and horizontal force over stiffness but for the anchor's share.
+    /// Displacements and rates that press and drag points: depth, approach, and horizontal force over stiffness but for
+    /// the anchor's share.
     struct Grips {
         Line depth, approach, x, y;
     };

@@ -60,7 +60,7 @@ template <class V, int Stride> class RimForce : protected SpatialBody<V, Stride>
     struct Lean {
         V x, y, change;
     };
-    /// What presses, and where the rim grips.
+    /// Pressure on the rim, and the place where it grips.
     struct Patch {
         V press;           // sum of the normal forces
         V by_x, by_y;      // of these times x and y of where they act

@@ -78,8 +78,8 @@ template <class V> OVERTURN_LANES_INLINE Quaternion<V> normalised(Quaternion<V> 
     return {factor * q.w, factor * q.x, factor * q.y, factor * q.z};
 }
 
-/// What the rate of a rotation vector u about the body's axes has beside the angular velocity: u x w / 2 +
-/// u x (u x w) / 12, of Magnus' series as far as a method of fourth order needs it (Iserles et al. 2000).
+/// Rate of a rotation vector u about the body's axes, less the angular velocity: u x w / 2 + u x (u x w) / 12, of
+/// Magnus' series as far as a method of fourth order needs it (Iserles et al. 2000).
 template <class V> OVERTURN_LANES_INLINE Triple<V> turning_excess(Triple<V> const& u, Triple<V> const& w) {
     auto const once = cross(u, w);
     auto const twice = cross(u, once);

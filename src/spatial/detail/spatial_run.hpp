@@ -60,7 +60,7 @@ class SpatialRun : public contact::PointRun<SpatialRun, State, Spot, SpatialLane
     struct LeanStiffness {
         double xx, xy, yy;
     };
-    /// How springs give way: slopes of the base along x and y, and the way of the centre of gravity.
+    /// Elastic yielding of the springs: slopes of the base along x and y, and displacement of the centre of gravity.
     struct Yielding {
         double slope_x, slope_y, x, y, rise;
     };

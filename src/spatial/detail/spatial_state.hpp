@@ -11,7 +11,7 @@
 
 namespace overturn::spatial {
 
-/// What a lane holds of the body. SI, forces over the mass: accelerations. x and y horizontal, z up; the quaternion q
+/// Fields of the body in a lane. SI, forces over the mass, as accelerations. x and y horizontal, z up; the quaternion q
 /// turns the body's axes to those of space.
 enum class State : int {
     // state
@@ -107,7 +107,7 @@ enum class State : int {
     count
 };
 
-/// What a lane holds of each point of the base.
+/// Fields of each point of the base in a lane.
 enum class Spot : int {
     x,  ///< from the body's axis, along the body's own
     y,
@@ -122,7 +122,7 @@ enum class Spot : int {
 
 enum class Wave : int { x, y, z, count };
 
-/// What the arithmetic of a base rests on: bodies step side by side on bases of one kind.
+/// Kind of a base for the arithmetic: bodies step side by side on bases of one kind.
 struct BaseKind {
     int points = 0;        ///< none: a continuous rim
     bool opposite = true;  ///< whether the points of every pair are opposite ones

@@ -11,7 +11,7 @@
 
 namespace overturn {
 
-/// Where the spectrum called `part` stands among `names`; part empty: the only one.
+/// Place of the spectrum called `part` among `names`; part empty: the only one.
 /// \param what the names are, for messages: "spectra" \throws InputError, naming all
 [[nodiscard]] std::size_t part_among(std::vector<std::string> const& names, std::string const& part,
                                      std::string_view what, Location const& where);

@@ -1,4 +1,4 @@
-/// What an oscillator does once the ground has come to rest.
+/// Free vibration of an oscillator once the ground has come to rest.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-/// What the keys and values beside a spectrum in JSON say of it, as lines of text that a table would have above it.
+/// Keys and values beside a spectrum in JSON, as the lines of text that a table would have above it.
 #pragma once
 
 #include <span>

@@ -11,7 +11,7 @@
 
 namespace overturn {
 
-/// How a group's oscillators are swept. y is the displacement, a the acceleration of the ground.
+/// Form in which a group's oscillators are swept. y is the displacement, a the acceleration of the ground.
 enum class SweepForm {
     /// The free vibration about the line p which the ground alone would draw, y - p = Re(unit turned C): C turns and
     /// decays, and its imaginary part jumps by the second difference of a. For periods that swing between samples.

@@ -1,4 +1,4 @@
-/// What the text of a target's table says of its first column.
+/// First column of a target's table, by its text: period or frequency.
 #pragma once
 
 #include <string>

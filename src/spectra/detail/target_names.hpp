@@ -1,4 +1,4 @@
-/// What names and text say of a target's table, and what contradicts its kind.
+/// Names and text of a target's table, and their contradictions to its kind.
 #pragma once
 
 #include <optional>
@@ -29,7 +29,7 @@ namespace overturn {
 /// ratio, a standard deviation
 void check_kind(PairTable const& table, TargetKind kind, Location const& where);
 
-/// What a name calls the ordinates, where it says so.
+/// Kind of the ordinates that a name states, if it states one.
 [[nodiscard]] std::optional<TargetKind> kind_named(std::string_view name);
 
 /// The names and lines of text that are not understood. \throws InputError if one calls the values another quantity, or

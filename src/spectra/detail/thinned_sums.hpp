@@ -11,10 +11,10 @@
 
 namespace overturn {
 
-/// As PhaseSums, and as exact. Where every |x| is below pi / 4 and the signal is longer than a few kernels, it is first
-/// smoothed by a Kaiser-Bessel kernel that leaves nothing of what thinning would fold onto them, then thinned; each sum
-/// is divided by the kernel's own. The fastest x decides how far, and so the last bits of all. What does not depend on
-/// the signal is prepared once.
+/// The same sums as PhaseSums, as exact. Where every |x| is below pi / 4 and the signal is longer than a few kernels,
+/// it is first smoothed by a Kaiser-Bessel kernel that leaves nothing of what thinning would fold onto them, then
+/// thinned; each sum is divided by the kernel's own. The fastest x decides the thinning, and so the last bits of all.
+/// All that does not depend on the signal is prepared once.
 class ThinnedSums {
   public:
     /// \param samples of every signal

@@ -10,7 +10,7 @@
 
 namespace overturn {
 
-/// What the sums over a window take from their frequencies, and what they keep from one block of a window's length to
+/// Constants of the sums over a window, by their frequencies, and their state from one block of a window's length to
 /// the next. Vectors hold 16 lanes per place in a block.
 struct WindowNodes {
     std::vector<double> cosine, sine;                ///< exp(-ixj) = cosine - i sine, j inside a block

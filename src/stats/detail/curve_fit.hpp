@@ -30,7 +30,7 @@ struct CurveAttempt {
 [[nodiscard]] CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleTrial const> trials,
                                      FragilityRequest const& request);
 
-/// What holds whatever the undecided trials would have done.
+/// Results that hold whatever the undecided trials would have done.
 struct UndecidedExtremes {
     /// The median cannot be told: more than 5 % of a stripe (or tenth of the trials) at or below it has no verdict.
     bool hide_median = false;

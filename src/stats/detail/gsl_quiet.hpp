@@ -5,7 +5,7 @@
 
 namespace overturn {
 
-/// As long as one of these lives, GSL does not abort.
+/// Guard: GSL does not abort while one of these lives.
 class GslQuiet {
   public:
     GslQuiet() : before_(gsl_set_error_handler_off()) {}

@@ -18,7 +18,7 @@ struct ProbitDesign {
     std::vector<std::int64_t> waves;  ///< of each row
 };
 
-/// What one wave's trials say at the maximum: the gradient of their log-likelihood, and its negative curvature.
+/// Score of one wave's trials at the maximum: the gradient of their log-likelihood, and its negative curvature.
 struct WaveScore {
     Eigen::VectorXd gradient;
     Eigen::MatrixXd information;
@@ -40,7 +40,8 @@ struct ProbitRegression {
 /// outcomes are separated.
 [[nodiscard]] std::optional<ProbitRegression> regress(ProbitDesign const& design);
 
-/// How often replicate `r` draws each of `waves` waves: as bootstrap_waves does, in the order of their numbers.
+/// Number of times that replicate `r` draws each of `waves` waves: as bootstrap_waves does, in the order of their
+/// numbers.
 [[nodiscard]] std::vector<double> times_drawn(BootstrapKey const& key, int r, std::size_t waves);
 
 }  // namespace overturn

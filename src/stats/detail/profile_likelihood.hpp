@@ -15,11 +15,11 @@ class ProfileLikelihood {
 
     /// Does a curve without slope fit so much worse that the rise is beyond chance? If not, beta has no upper end.
     [[nodiscard]] bool rises() const { return rises_; }
-    /// Of the lognormal standard deviation; the upper end may be infinite.
+    /// Interval of the lognormal standard deviation; the upper end may be infinite.
     [[nodiscard]] Interval beta() const;
-    /// Of the intensity at which P is `probability`, 0.5 for the median; the ends may be 0 and infinite.
+    /// Interval of the intensity at which P is `probability`, 0.5 for the median; the ends may be 0 and infinite.
     [[nodiscard]] Interval intensity(double probability) const;
-    /// Of P at an intensity.
+    /// Interval of P at an intensity.
     [[nodiscard]] Interval probability(double intensity) const;
 
   private:

@@ -13,17 +13,18 @@ inline constexpr double same_intensity = 1e-9;
 /// the upper one.
 [[nodiscard]] Interval interval_of(FragilityPoint const& point, double confidence);
 
-/// What the stripes say of it, before any curve.
+/// P at the quote by the stripes alone, before any curve.
 [[nodiscard]] QuotedProbability seen_at(Quote const& quote, FragilityFit const& fit, FragilityData const& data,
                                         double confidence);
 
-/// What the curve adds, and where it is not believed: outside the exact interval of the stripe right there, or of what
-/// the stripes on both sides leave; where it describes the data poorly; and below what so few trials can hold.
+/// Adds P of the curve. It is not believed outside the exact interval of the stripe right there, or of the bounds by
+/// the stripes on both sides; where it describes the data poorly; and below the least P that so few trials can show.
+/// \param poor it fits poorly
 /// \param poor it fits poorly
 void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityData const& data, CurveFit const& curve,
                  bool poor, double confidence);
 
-/// Where there is no curve after all, what was seen is all there is.
+/// Completes a quote where there is no curve: only the trials count.
 void quote_without_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityData const& data,
                          double confidence);
 

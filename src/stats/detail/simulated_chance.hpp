@@ -1,4 +1,4 @@
-/// How often a statistic is as large by chance as it was found.
+/// Chance that a statistic is as large as it was found, by simulation.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-/// What exact intervals say where there is no curve.
+/// Bounds on P from exact intervals, where there is no curve.
 #pragma once
 
 #include <cmath>

@@ -1,4 +1,4 @@
-/// What each wave's trials add to the cells of a trial list: all that resampling by waves needs, however many there
+/// Counts of each wave's trials in the cells of a trial list: all that resampling by waves needs, however many there
 /// are.
 #pragma once
 
@@ -20,7 +20,7 @@ class WaveCells {
 
     [[nodiscard]] std::vector<FragilityPoint> const& points() const { return points_; }
     [[nodiscard]] std::size_t waves() const { return first_of_wave_.size() - 1; }
-    /// As many waves drawn with replacement, each with all its trials: the points with the counts of these.
+    /// Points of a resample: as many waves drawn with replacement, each with all its trials.
     [[nodiscard]] std::vector<FragilityPoint> draw(RandomStream& stream) const;
 
   private:

@@ -19,9 +19,9 @@ class WaveShapeTests {
     /// \param line the fitted curve, if there is one
     WaveShapeTests(std::span<SingleTrial const> trials, std::optional<ProbitLine> const& line, BootstrapKey const& key);
 
-    /// Of so much fall below the rising estimate.
+    /// Chance of so much fall below the rising estimate.
     [[nodiscard]] double monotone_chance() const;
-    /// Of proportions so far from the curve, by Pearson's sum over intensities put together until five or more waves
+    /// Chance of proportions so far from the curve, by Pearson's sum over intensities pooled until five or more waves
     /// are expected to fall and to stand. 1 where fewer than three are left, or there is no curve.
     [[nodiscard]] double misfit_chance() const;
 

@@ -7,7 +7,7 @@
 
 namespace overturn::store {
 
-/// What `look` returns, computed in a process of its own: HDF5 may crash over, or never come back from, a damaged file.
+/// Result of `look`, computed in a process of its own: HDF5 may crash over a damaged file, or never come back from it.
 /// Nothing if it did, or if there can be no such process.
 [[nodiscard]] std::optional<std::string> looked_at_apart(std::function<std::string()> const& look);
 

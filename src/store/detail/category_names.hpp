@@ -11,7 +11,7 @@
 
 namespace overturn::store {
 
-/// What to do about a file that holds what it cannot.
+/// Advice for a file that holds an impossible value.
 inline constexpr auto advice =
     "(it was edited or damaged, or another program wrote it). Restore it, or run the campaign again";
 

@@ -1,5 +1,5 @@
-/// What a column is in the file, in the words of those who read it: HDF5's dimension scales and committed types,
-/// netCDF's dimensions and CF's attributes.
+/// Description of a column in the file for its readers: HDF5's dimension scales and committed types, netCDF's
+/// dimensions and CF's attributes.
 #pragma once
 
 #include <cstddef>

@@ -21,7 +21,7 @@ void each_object(File const& file, std::function<void(std::string const&, Object
 /// read. Without what `is_digest` names.
 [[nodiscard]] std::map<std::string, std::string> digests_of(File const& file);
 
-/// Where the digests of all objects are kept, as text; and the digest of that text, an attribute of the root.
+/// Place of the digests of all objects, kept as text; and the digest of that text, an attribute of the root.
 inline constexpr char const* digest_group = "digests";
 inline constexpr char const* digest_list = "objects";
 inline constexpr char const* digest_of_all = "content_sha256";

@@ -1,5 +1,5 @@
-/// How the files of finished blocks are named, and where they lie: the first 1024 beside the record, each further 1024
-/// in a folder of their own, since a folder of 10^5 files is slow on every file system.
+/// Names and places of the files of finished blocks: the first 1024 beside the record, each further 1024 in a folder of
+/// their own, since a folder of 10^5 files is slow on every file system.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +29,9 @@ struct ShardEntry {
     /// Is it a folder of blocks, by its name?
     [[nodiscard]] bool is_group() const { return number_of_group().has_value(); }
     [[nodiscard]] std::optional<std::int64_t> number_of_group() const;
-    /// What a killed writer left.
+    /// Is it a file that a killed writer left?
     [[nodiscard]] bool is_unfinished() const;
-    /// What it is, or was to become.
+    /// Name of the finished file that it is, or was to become.
     [[nodiscard]] std::string finished_name() const;
 };
 
@@ -39,8 +39,8 @@ struct ShardEntry {
 void each_beside_record(std::filesystem::path const& folder, std::function<void(ShardEntry const&)> const& look);
 /// All that lies in a folder of blocks. \throws likewise
 void each_in_group(ShardEntry const& group, std::function<void(ShardEntry const&)> const& look);
-/// What lies beside the record but for folders of blocks, and all that lies in those of them that may hold some of the
-/// range.
+/// Calls `look` for all that lies beside the record except folders of blocks, and for all that lies in those folders
+/// that may hold some of the range.
 void each_file(std::filesystem::path const& folder, BlockRange const& range,
                std::function<void(ShardEntry const&)> const& look);
 
