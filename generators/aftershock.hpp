@@ -14,7 +14,7 @@ extern config::KeyTable const aftershock_table;
 /// The source, whose waves [waves.aftershock] lengthens by a pause without shaking and a second, independent wave of
 /// its own times `scale`. The first shock keeps every bit of the wave without the key; a body stands, lies or still
 /// rocks through the pause as the first shock left it. Intensities, levels, energies, drifts and durations are those of
-/// the whole wave; what is told of a match and of a drawn target is the mainshock's; both shocks must pass the source's
+/// the whole wave; the match and the drawn target reported are the mainshock's; both shocks must pass the source's
 /// acceptance rule. A second shock that begins abruptly, under an envelope that does not rise from nothing, leaves the
 /// ground moving: quiet and its first sample are joined by a straight line, which adds half of that sample times the
 /// step (some 1e-3 m/s).

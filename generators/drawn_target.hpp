@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// Periods at which a drawn target's epsilon is told [s], in the time that the target is stated in.
+/// Periods at which a drawn target's epsilon is reported [s], in the time that the target is stated in.
 inline constexpr std::array epsilon_periods_s{0.1, 0.2, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 10.0};
 
 /// Deviations at these, in standard deviations.

@@ -54,8 +54,8 @@ inline constexpr config::Key baseline_key =
 /// \throws InputError if the corner is below 0.001 Hz or 1 / duration, or not below a quarter of the sampling frequency
 void correct_record(GroundMotion& motion, RecordBaseline const& baseline);
 
-/// Does so, and says what was done and what became of each component: "mean taken off (PGA +0.2 %, PGV -31 %,
-/// PGD -97 %, Sa from 0.3 to 10 s by -12 % at most)". Empty for none.
+/// Corrects the baseline, and describes the correction and its effect on each component: "mean taken off (PGA +0.2 %,
+/// PGV -31 %, PGD -97 %, Sa from 0.3 to 10 s by -12 % at most)". Empty for none.
 [[nodiscard]] std::string correct_and_tell(GroundMotion& motion, RecordBaseline const& baseline);
 
 }  // namespace overturn

@@ -42,7 +42,7 @@ struct GeneratedWave {
     MatchReport vertical_match;        ///< of the vertical one
     double turned_rad = 0;             ///< axes of the horizontal components, from those of the record [rad]
     std::optional<DrawnTarget> drawn;  ///< its own target, where targets vary
-    std::string label;                 ///< one line that tells this wave from its neighbours
+    std::string label;                 ///< one line that identifies this wave among its neighbours
 
     std::vector<double> judged_periods_s;  ///< where the horizontal component was compared; empty without a target
     std::vector<double> ratios;            ///< computed over target there
@@ -81,8 +81,8 @@ struct WaveDescription {
     /// Stated standard deviation, for a source whose waves are each matched to the Sa drawn for it and hold nothing
     /// else. Valid while the source lives.
     std::optional<StatedSigma> stated_sigma = {};
-    /// Are all waves of one spectrum or density, matched to it or not, so that chance phases alone tell them apart?
-    /// Their trials cannot tell which measure of intensity is the better one among motions of several events and sites.
+    /// Are all waves of one spectrum or density, matched to it or not, so that they differ by random phases alone?
+    /// Their trials cannot show which measure of intensity is the better one among motions of several events and sites.
     bool of_one_spectrum = false;
     std::int64_t waves_alike = 1;  ///< so many in a row may share what was drawn, and are no independent samples
     /// The periods at which its waves are compared with what its target states; nothing if there is none.

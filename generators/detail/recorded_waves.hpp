@@ -40,7 +40,7 @@ struct SameMotion {
 /// apart; empty: all differ.
 [[nodiscard]] std::optional<SameMotion> same_motion_twice(std::span<Record const> records);
 
-/// They in their order. \pre there is one
+/// Source of these records in their order. \pre there is one
 [[nodiscard]] std::unique_ptr<WaveSource> recorded_waves(std::vector<Record> records);
 
 }  // namespace overturn

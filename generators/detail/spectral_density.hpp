@@ -18,7 +18,7 @@ namespace overturn {
 
 /// Brings `density` to where every oscillator's own variance, int G |H|^2 dw with the same z_s, times its median peak
 /// factor gives the target: near a bend of the target the formula above takes the neighbourhood for white, which it is
-/// not. Multiplies where it is too low or too high, eight times, as told by periods up to `longest_s`; a target that no
+/// not. Multiplies where it is too low or too high, eight times, judged by periods up to `longest_s`; a target that no
 /// noise has is met as far as it can be.
 void refine_density(std::vector<double>& density, TargetSpectrum const& target,
                     std::span<double const> frequencies_radps, double strong_s, double longest_s);

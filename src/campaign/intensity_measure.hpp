@@ -289,7 +289,7 @@ inline constexpr auto trial_measures =
 /// Value for a trial [SI]. \pre the measure is not linear in the scale
 [[nodiscard]] double of_trial(Measure measure, TrialRow const& trial);
 
-/// Those that are functions of a motion alone, in the order of the registry [SI].
+/// Measures that are functions of a motion alone, in the order of the registry [SI].
 [[nodiscard]] std::vector<std::pair<Measure, double>> measures_of(GroundMotion const& motion);
 /// Fills the columns that measures have in /waves.
 void measure_motion(GroundMotion const& motion, WaveRow& row);

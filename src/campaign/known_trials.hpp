@@ -16,8 +16,8 @@ struct KnownWave {
     std::vector<bool> known;  ///< which are
 };
 
-/// Whoever computes trials asks here first, and holds what is said against the wave and the body that it made: rows of
-/// another motion, scale or draw are not taken.
+/// Source of known trials, asked before trials are computed. The caller compares its rows with the wave and the body
+/// that it made: rows of another motion, scale or draw are not taken.
 class KnownTrials {
   public:
     virtual ~KnownTrials() = default;

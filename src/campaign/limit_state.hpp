@@ -21,8 +21,8 @@ struct LimitQuantity {
     std::string name;   ///< of the column: "peak_slip"
     std::string units;  ///< "m"
     std::string description;
-    /// Effects without which a model cannot tell it: where one of them would have acted and was not simulated, the
-    /// quantity is unknown.
+    /// Effects that a model needs to compute it: where one of them would have acted and was not simulated, the quantity
+    /// is unknown.
     EffectMask needs = 0;
     bool of_every_model = true;  ///< else one of those that only some models know (ModelTraits::fields)
     bool is_signed = false;      ///< compared is not its magnitude: less is worse, below 0 too

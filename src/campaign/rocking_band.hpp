@@ -6,7 +6,7 @@
 
 namespace overturn {
 
-/// Its T0 and T1, under its own gravity.
+/// T0 and T1 of a body, under its own gravity.
 [[nodiscard]] inline PeriodBand rocking_band(RigidBody const& body, RadiusUnit unit = RadiusUnit::centimetre) {
     return rocking_period_band(body.radius_m(), unit, body.gravity_mps2());
 }

@@ -68,7 +68,7 @@ class SiteJudge {
     Site const& site_;
     std::span<BodySpec const> bodies_;
     std::vector<BaseReach> bases_;
-    std::vector<OfModel> models_;  ///< those that tell the way of the base's edge
+    std::vector<OfModel> models_;  ///< those that give the travel of the base's edge
 };
 
 }  // namespace overturn

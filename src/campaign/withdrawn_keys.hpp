@@ -1,5 +1,5 @@
 /// Keys that campaigns could state once and that are constants now. A file of results that states them is still read,
-/// and its trials are followed as it says; nobody is told of them.
+/// and its trials are followed as it states; no reference lists them.
 #pragma once
 
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace overturn {
 
-/// The keys of a table, and those it has from others, that references tell: all but withdrawn ones.
+/// The keys of a table, and those it has from others, that references list: all but withdrawn ones.
 [[nodiscard]] std::vector<config::Key const*> told_keys(config::KeyTable const& table);
 
 /// \throws InputError at a withdrawn key that differs from its constant

@@ -7,8 +7,8 @@
 
 namespace overturn::cli {
 
-/// Starts MPI and does it. \return the exit code: what every rank knows of is told by one, what one alone knows of ends
-/// the whole job
+/// Starts MPI and does it. \return the exit code: an error known to every rank is reported by one, an error on one rank
+/// alone ends the whole job
 [[nodiscard]] int on_all_ranks(std::function<int(parallel::Communicator const&)> const& action);
 
 }  // namespace overturn::cli

@@ -28,7 +28,7 @@ struct ChosenTrial {
     std::string words;
 };
 
-/// Them, rerun. Trials that have no history (at rest) are left out.
+/// Histories of chosen trials, rerun. Trials that have no history (at rest) are left out.
 [[nodiscard]] ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<ChosenTrial const> chosen);
 
 /// Histories of the trials to inspect, and of each body's nearest miss among trials on compliant points, rerun. At most

@@ -1,4 +1,4 @@
-/// All that is wrong with a file, told at once.
+/// All faults of a file, reported at once.
 #pragma once
 
 #include <string>
@@ -19,7 +19,7 @@ namespace overturn::config {
 /// `first`, which stopped a reader of `table`, and behind it all of faults() that speak of other places.
 [[nodiscard]] std::string with_further_faults(std::string_view first, Table const& table);
 
-/// Runs `build`; what is wrong is told together with all else that is not as `table` is described.
+/// Runs `build`; its faults are reported together with all other deviations from the description of `table`.
 template <class Build> auto with_all_faults(Table const& table, Build&& build) {
     try {
         return build();
@@ -28,7 +28,7 @@ template <class Build> auto with_all_faults(Table const& table, Build&& build) {
     }
 }
 
-/// Runs readers that need nothing of each other, and tells what is wrong with any of them together.
+/// Runs readers that need nothing of each other, and reports the faults of all of them together.
 class FaultGatherer {
   public:
     template <class Read> void run(Read&& read) {

@@ -149,7 +149,7 @@ struct KeyTable {
     std::string_view meaning;
     std::span<Key const> keys;
     std::array<KeyTable const*, 2> also = {};  ///< whose keys are here too
-    std::string_view chosen_by = {};           ///< of several tables in one place: the key that tells them apart
+    std::string_view chosen_by = {};           ///< of several tables in one place: the key that distinguishes them
     std::string_view word = {};                ///< what it says of this one
 
     /// This table's keys and those it has from others.
@@ -227,7 +227,7 @@ template <KeyTable const&... tables>
 [[nodiscard]] constexpr Key table_key(std::string_view name, std::string_view meaning) {
     return {.name = name, .meaning = meaning, .forms = bit(Form::table), .tables = &tables_of<tables...>};
 }
-/// \param tables those that may stand there, told apart by what their `chosen_by` says
+/// \param tables those that may stand there, distinguished by their `chosen_by`
 [[nodiscard]] constexpr Key table_key(std::string_view name, std::vector<KeyTable const*> (*tables)(),
                                       std::string_view meaning) {
     return {.name = name, .meaning = meaning, .forms = bit(Form::table), .tables = tables};

@@ -15,7 +15,7 @@ namespace overturn::config {
 [[nodiscard]] std::map<std::string, std::string> stated_values(std::string_view text, std::string const& file,
                                                                std::span<std::string const> settings);
 
-/// The names by which stated_values() tells the tables of a list apart, in their order; none where there is no such
+/// The names by which stated_values() distinguishes the tables of a list, in their order; none where there is no such
 /// list. \throws InputError likewise
 [[nodiscard]] std::vector<std::string> names_in_list(std::string_view text, std::string const& file,
                                                      std::span<std::string const> settings, std::string_view list);

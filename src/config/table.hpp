@@ -140,7 +140,7 @@ class Table {
     [[nodiscard]] Table child_or_empty(std::string_view key) const;
     [[nodiscard]] std::vector<Table> children(std::string_view key) const;
 
-    /// Another document, which this table names: its values are told below this table's place.
+    /// Another document, which this table names: its values are listed below this table's place.
     /// \throws InputError on a syntax error
     [[nodiscard]] Table named_document(std::string_view text, std::string file) const;
 
@@ -157,8 +157,8 @@ class Table {
     /// \param advice what to do, without a full stop
     [[noreturn]] void fail_missing(std::string_view key, std::string_view advice = "Add this key") const;
 
-    /// Says which keys this table may have, before any is read: a missing one is then told together with those that
-    /// are not among them.
+    /// States the keys that this table may have, before any is read: a missing one is then reported together with
+    /// unknown ones.
     void may_have(std::initializer_list<std::string_view> keys) const;
     void may_have(KeyTable const& keys) const;
 

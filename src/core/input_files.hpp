@@ -35,7 +35,7 @@ class InputFiles {
     /// All files read so far (or given), by name.
     [[nodiscard]] std::map<std::string, std::string> const& contents() const { return contents_; }
 
-    /// Read as before format 5 of results files: tables without a unit are in SI, unnamed columns told by their place.
+    /// Read as before format 5 of results files: tables without a unit are in SI, unnamed columns known by their place.
     void read_as_before_format_5(bool yes) { before_format_5_ = yes; }
     [[nodiscard]] bool are_before_format_5() const { return before_format_5_; }
 

@@ -35,7 +35,7 @@ template <std::size_t N> [[nodiscard]] double root_between(std::array<double, N>
     auto const slope = derivative(c);
     double t = 0.5 * (lo + hi);
     // Newton needs about 5 steps, bisection alone some 53 to where no double is left in the bracket; only a root at
-    // zero has ever smaller ones beside it, and is then told as 2^-200 of the bracket at most.
+    // zero has ever smaller ones beside it, and is then given as 2^-200 of the bracket at most.
     constexpr int most = 200;
     for (int i = 0; i < most; ++i) {
         double const value = sign * evaluate(c, t);

@@ -85,8 +85,8 @@ struct Sensitivity {
 inline constexpr std::int64_t usual_waves = 200;
 
 /// Pure: the same whenever and wherever it is run. \param waves at most so many, spread over the campaign; 0:
-/// usual_waves \param tell told the share that is done and the seconds that are probably left \throws InputError where
-/// waves are a grid, which is no sample
+/// usual_waves \param tell receives the share that is done and the seconds that are probably left \throws InputError
+/// where waves are a grid, which is no sample
 [[nodiscard]] Sensitivity study_sensitivity(CampaignInput const& input, std::int64_t waves, Tell const& tell);
 
 /// The campaign with the value of an input replaced by `written` where it stands. \pre its place is known

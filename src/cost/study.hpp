@@ -60,7 +60,7 @@ struct StudyOptions {
     double timing_s = 0.03;  ///< a setting that takes less CPU time is run again until it has had as much, twice
 };
 
-/// Told after every step: the share of the work that is done, and the seconds that are probably left.
+/// Receives after every step the share of the work that is done, and the seconds that are probably left.
 using Tell = std::function<void(double done, double left_s)>;
 
 /// Everything but the times is a pure function of the campaign and the number of waves. \throws InputError

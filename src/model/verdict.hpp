@@ -29,7 +29,7 @@ struct VerdictEntry {
     bool fell;
 };
 
-/// Those of the enumeration, in its order. All of them, with the models' own: response/registry.hpp.
+/// Verdicts of the enumeration, in its order. response/registry.hpp has all of them, with the models' own.
 [[nodiscard]] std::span<VerdictEntry const> common_verdicts();
 
 }  // namespace overturn

@@ -59,7 +59,7 @@ class Claims {
     /// Is a peak stated, for check_peaks?
     [[nodiscard]] bool states_peak() const { return !peaks_.empty(); }
     [[nodiscard]] int components_line() const { return components_line_; }
-    /// Those of all lines that state some, "Channel 3: UD" among them, with the line of each.
+    /// Components of all lines that state some, "Channel 3: UD" among them, with the line of each.
     [[nodiscard]] std::vector<std::pair<std::string, int>> const& all_components() const { return all_components_; }
 
     /// "line 10: m/s2", for each claim that is used.
@@ -140,7 +140,7 @@ class Claims {
     std::string other_said_;
     std::string plainly_other_;  ///< as a line of known words alone calls the numbers, without "accelerations"
     int plainly_other_line_ = 0;
-    bool spectrum_ = false;  ///< of accelerations, which their unit tells nothing of
+    bool spectrum_ = false;  ///< of accelerations: the unit does not show it
     bool named_ = false, alone_ = false;
     bool beside_counts_ = false;
     bool accelerations_ = false;

@@ -29,14 +29,14 @@ struct ComponentName {
 [[nodiscard]] ComponentName component_in(std::string_view name);
 
 /// May both be names of one component: both vertical, or horizontal along lines less than 45 degrees apart, as far as
-/// they tell?
+/// they state it?
 [[nodiscard]] bool may_be_one(ComponentName const& one, ComponentName const& other);
 
 /// The direction of component_named.
 [[nodiscard]] Direction direction_of(std::string_view name);
 
-/// Between the lines along which two horizontal components point, 0 to 90 [deg]: 10 of "000" and "N10E", 0 of "000" and
-/// "180"; nothing where the compass tells nothing of one of them.
+/// Angle between the lines along which two horizontal components point, 0 to 90 [deg]: 10 of "000" and "N10E", 0 of
+/// "000" and "180"; empty where one of them states no direction of the compass.
 [[nodiscard]] std::optional<double> degrees_between(ComponentName const& one, ComponentName const& other);
 
 }  // namespace overturn

@@ -40,7 +40,7 @@ struct PairForm {
 /// \throws InputError with the file's `name` and the line of the first row that may not be
 void check_rows(PairTable const& table, std::string const& name, RowCheck const& check);
 
-/// Its points alone, under names that are those of such columns, or none. \throws InputError also at other names
+/// Points of a table alone, under names that are those of such columns, or none. \throws InputError also at other names
 [[nodiscard]] std::vector<Pair> read_pairs(std::string_view content, std::string const& name, PairForm const& form);
 
 }  // namespace overturn

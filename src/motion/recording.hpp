@@ -60,7 +60,7 @@ void turn(std::vector<double>& acceleration_mps2);
 /// Places the first horizontal component (or the one called `first`) into the rocking plane, the other horizontal one
 /// across it and the vertical one upwards, turning its sign if it is recorded downwards. A single component goes into
 /// the rocking plane whatever its direction (a spectrum may be asked of it): see validate_rocking_plane. Components are
-/// cut to the shortest, which the line then says. \throws InputError at `where` if it cannot be told which component is
+/// cut to the shortest, which the line then says. \throws InputError at `where` if it is not clear which component is
 /// which, or if `first` is the vertical one of several that are all to be placed
 [[nodiscard]] PlacedRecord place(Recording recording, std::string_view first, ComponentChoice choice,
                                  Location const& where);

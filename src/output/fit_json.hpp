@@ -9,8 +9,7 @@
 
 namespace overturn::output {
 
-/// In which units the sentences of `warnings` are: all numbers beside them are SI, a page tells them as levels are
-/// written.
+/// Units in the sentences of `warnings`: all numbers beside them are SI, a page shows them as levels are written.
 enum class WarningUnits { si, as_written };
 
 /// `warnings` of curves: a sentence each, with its body, limit state and measure.

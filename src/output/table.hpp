@@ -33,7 +33,7 @@ enum class Kind {
 /// The unit of a column.
 struct Unit {
     std::string symbol;   ///< SI: "m"; "1": a pure number
-    bool in_name = true;  ///< JSON and csv tell it by the name: "peak_slip_m"; else by the table's "units"
+    bool in_name = true;  ///< JSON and csv have it in the name: "peak_slip_m"; else by the table's "units"
     bool by_row = false;  ///< rows are of different measures: it is that of the row's column "units"
 
     Unit(char const* fixed) : symbol(fixed) {}  // NOLINT(google-explicit-constructor): every column states one

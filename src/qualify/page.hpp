@@ -16,7 +16,7 @@ struct Qualification {
     std::vector<LeftOut> left_out = {};
     std::string program, machine, compiler, libraries, mpi, folder;
     int ranks = 1;
-    std::string date = {};   ///< as the user states it; empty: none is told
+    std::string date = {};   ///< as the user states it; empty: none
     bool published = false;  ///< held against what others printed
 
     [[nodiscard]] bool passed() const;

@@ -13,7 +13,7 @@ enum class Phase : std::uint64_t { scout = 1, crude = 2, pilot = 3, final = 4, s
 /// A trial by (seed, problem, replicate, stage, index): never by rank, order or how often something was accepted.
 struct DrawKey {
     std::uint64_t seed = 0;
-    std::uint64_t problem = 0;    ///< tells limit states of one campaign apart, below 2^24
+    std::uint64_t problem = 0;    ///< number of the limit state in its campaign, below 2^24
     std::uint64_t replicate = 0;  ///< below 2^12
     Phase phase = Phase::crude;
     std::uint64_t level = 0;  ///< which stage of the pilot runs or level of a subset simulation, below 2^12

@@ -42,7 +42,7 @@ class Mixture {
     /// The same with all pulses `factor` times as strong.
     [[nodiscard]] Mixture strengthened(double factor) const;
 
-    /// Points in time at which pulses may arrive: 2^n, enough to tell the highest line's phases.
+    /// Points in time at which pulses may arrive: 2^n, enough to resolve the highest line's phases.
     [[nodiscard]] static std::size_t grid_of(PulseFrame const& frame);
 
   private:

@@ -56,7 +56,7 @@ class Workforce {
     }
 };
 
-/// This process alone.
+/// Workforce of this process alone.
 class LoneWorker : public Workforce {
   public:
     [[nodiscard]] std::vector<std::byte> rows_of(Stage const& stage, Work const& work) override;

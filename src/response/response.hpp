@@ -12,7 +12,7 @@ struct Response : Outcome {
     std::int64_t reason = 0;   ///< one of reasons(): why that model
 };
 
-/// Those of the outcome, with all models' verdicts, and its own.
+/// Fields of the outcome, with all models' verdicts, and those of the response.
 template <> [[nodiscard]] Fields const& fields_of<Response>();
 
 }  // namespace overturn

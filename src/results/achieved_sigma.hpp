@@ -22,8 +22,8 @@ struct AchievedMeasure {
     /// Standard deviation of ln of the measure, by its parts between and within targets or events: what these have in
     /// common is not counted short where they are few.
     double achieved = 0;
-    /// Its standard error of lognormal waves, achieved / sqrt(2 (independent - 1)): too large where what those of one
-    /// target or event have of their own counts too.
+    /// Standard error of it, for lognormal waves, achieved / sqrt(2 (independent - 1)): too large where what those of
+    /// one target or event have of their own counts too.
     double error = 0;
 };
 

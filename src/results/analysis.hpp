@@ -65,7 +65,7 @@ struct MeasureBeside {
     std::optional<Speaks> rank = {};          ///< none where all trials ended alike
 };
 
-/// The paper calls V_WES practical and conservative: what the trials say of that.
+/// Findings of the trials on the paper's claim that V_WES is practical and conservative.
 struct CriterionVerdict {
     Safety safety = Safety::none_said_safe;
     Speaks false_alarms = Speaks::neither;  ///< are they fewer than half of the alarms?
@@ -126,7 +126,7 @@ struct AnalysisOptions {
 [[nodiscard]] std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& statistics,
                                                 AnalysisOptions const& options);
 
-/// Tells measures that are velocities in this unit; none: leaves them in the levels' own, or m/s.
+/// Prints measures that are velocities in this unit; none: leaves them in the levels' own, or m/s.
 void tell_velocities(std::vector<BodyAnalysis>& bodies, std::optional<IntensityUnit> const& unit);
 
 /// One body's fit over the levels' own measure, alone. \param limit place of the limit state; 0: overturning

@@ -19,7 +19,7 @@
 
 namespace overturn {
 
-/// The responses whose quantiles are told level by level.
+/// The responses whose quantiles are reported level by level.
 enum class LevelResponse { peak_slip, peak_rotation_ratio };
 
 /// Outcome of a trial for one limit state.

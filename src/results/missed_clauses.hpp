@@ -26,7 +26,7 @@ struct MissedClause {
 class MissedClauses {
   public:
     void add(WaveRow const& row);
-    /// Those that were missed, the most often first.
+    /// Missed clauses, the most often missed first.
     [[nodiscard]] std::vector<MissedClause> rows() const;
     [[nodiscard]] bool empty() const { return seen_.empty(); }
 

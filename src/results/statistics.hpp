@@ -22,7 +22,7 @@ namespace overturn {
 /// Counts of one body for a limit state of the user's own. `overturned` of its stripes stands for passed.
 struct LimitStatistics {
     std::vector<Stripe> stripes;
-    std::int64_t unknown = 0;      ///< trials with a verdict that leave it open: no model told its quantity
+    std::int64_t unknown = 0;      ///< trials with a verdict that leave it open: no model gave its quantity
     std::int64_t fell_within = 0;  ///< trials that fell over and kept within it
 };
 
@@ -79,7 +79,7 @@ class Statistics {
     [[nodiscard]] std::optional<AchievedSigma> achieved_sigma() const { return sigma_.achieved(waves_.missed); }
     /// Do limit states hang on what models have to say of their own?
     [[nodiscard]] bool reads_extra() const { return judge_.reads_extra(); }
-    /// Those trials whose waves were added too.
+    /// Trials whose waves were added too.
     [[nodiscard]] MeasuredTrials const& measured() const { return measured_; }
 
   private:

@@ -17,7 +17,7 @@ namespace overturn {
 /// the attributes `fell`, `decided` and `moved` of /trials/verdict; not decided where they are missing).
 [[nodiscard]] std::vector<Category> verdicts_in(store::ResultsReader const& file);
 
-/// Those of them that this program does not know, each with the value of the verdict that it counts as.
+/// Verdicts that this program does not know, each with the value of the verdict that it counts as.
 [[nodiscard]] std::vector<Category> unknown_verdicts(store::ResultsReader const& file);
 
 /// A model that answered trials of the file and is not known to this program.

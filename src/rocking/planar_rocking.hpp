@@ -1,5 +1,5 @@
-/// Planar rocking of a rigid block about its base corners, one trial or many. Equations, modes and where each stands:
-/// README.md of this folder.
+/// Planar rocking of a rigid block about its base corners, one trial or many. Equations, modes and their places in the
+/// sources: README.md of this folder.
 #pragma once
 
 #include <array>
@@ -112,10 +112,9 @@ class RockingObserver {
 /// A block whose corners differ rocks on each as a symmetric block of that corner's alpha, R, p does; on inclined
 /// ground theta counts from the ground, alpha from the vertical, forces along and across the ground. Slip is followed
 /// along it.
-///
-/// Loss of contact (N <= 0) below the critical angle or while turning back ends the trial as contact_lost. Beyond it,
+///  Loss of contact (N <= 0) below the critical angle or while turning back ends the trial as contact_lost. Beyond it,
 /// on the way out, the fall is certain and free of torque: the trial is overturned, at the instant to which the
-/// rotation at the loss leads, and contact_lost_s tells.
+/// rotation at the loss leads, and contact_lost_s records the loss.
 ///
 /// \pre block quantities are positive, alpha < pi/2, restitution in [0, 1]; components agree in length; friction stays
 ///      below painleve_bound

@@ -8,8 +8,8 @@
 
 namespace overturn {
 
-/// From here on what is told on stderr is one JSON object a line: {"event": "progress", "done": 3, "of": 8, ...}, and
-/// {"event": "note", "text": "..."} of all else.
+/// From here on stderr gets one JSON object a line: {"event": "progress", "done": 3, "of": 8, ...}, and {"event":
+/// "note", "text": "..."} of all else.
 void tell_as_json();
 
 class Progress {

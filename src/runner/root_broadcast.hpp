@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// A SystemError that every rank throws at the same place, so that one may tell it and all end with the same code.
+/// A SystemError that every rank throws at the same place, so that one may report it and all end with the same code.
 class CollectiveError : public SystemError {
   public:
     using SystemError::SystemError;

@@ -14,7 +14,7 @@ void stop_on_signals();
 /// Restores the handlers from before stop_on_signals(), and raises again a signal that came meanwhile.
 void restore_signals();
 
-/// Tells one rank when to stop. SIGUSR1 and the time limit let the block in hand be finished; SIGTERM and SIGINT give
+/// Decides when one rank stops. SIGUSR1 and the time limit let the block in hand be finished; SIGTERM and SIGINT give
 /// it half a second more, because mpirun and batch systems kill soon after; so does SIGUSR2, which mpirun hands on
 /// without ending itself with a code of its own.
 class StopPolicy {

@@ -1,4 +1,4 @@
-/// Randomness and uncertainty told apart: which part of a fragility's beta comes from what was not known of the body.
+/// Randomness and uncertainty separated: the part of a fragility's beta that comes from unknown properties of the body.
 #pragma once
 
 #include <cstdint>

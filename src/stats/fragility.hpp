@@ -75,8 +75,8 @@ struct FragilityRequest {
     double confidence = 0.95;
     Passing passing = Passing::overturned;  ///< for words alone
     double beta_u = 0;  ///< stated: lognormal standard deviation of what is not known, beside what the trials hold
-    /// Were the trials' bodies drawn from what is not known? The fitted beta is then sqrt(beta_R^2 + beta_U^2), and
-    /// the split, where there is one, tells them apart.
+    /// Were the trials' bodies drawn from uncertain properties? The fitted beta is then sqrt(beta_R^2 + beta_U^2), and
+    /// the split, where there is one, separates them.
     bool drawn = false;
     std::optional<BetaSplit> split;
     /// Are the draws' means no matter of chance (a Latin hypercube)? Resampling waves unbalances them, which is then no
@@ -175,7 +175,7 @@ struct FragilityFit {
     std::optional<ProbitLine> penalised;  ///< Firth's fit of separated data
     std::optional<SeenBound> bound;       ///< nothing, or everything, overturned; or all that did lies at one end
     std::optional<SeenBound> pooled;  ///< of several stripes together: its upper end at `from`, its lower one at `to`
-    bool beta_u_known = false;        ///< stated, or drawn and told apart from none
+    bool beta_u_known = false;        ///< stated, or drawn and significantly above 0
     double beta_u = 0;                ///< drawn and stated together
     double beta_u_drawn = 0;          ///< the part of it that the fitted beta holds
     /// Stripes on either side of the 5 % point, where the proportions contradict the curve about it.

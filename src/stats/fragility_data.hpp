@@ -23,7 +23,7 @@ struct FragilityPoint {
     double trials = 0;         ///< decided ones
     double overturned = 0;
     double undecided = 0;  ///< tried there without a verdict
-    double alike = 1;      ///< so many trials share what was drawn, and tell no more than one
+    double alike = 1;      ///< so many trials share what was drawn, and count as one
 
     [[nodiscard]] double probability() const { return overturned / trials; }
     /// Trials that are independent, at least.

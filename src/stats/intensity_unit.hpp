@@ -1,4 +1,4 @@
-/// The unit in which people are told an intensity, which is SI everywhere else.
+/// The unit in which people read an intensity, which is SI everywhere else.
 #pragma once
 
 #include <string>

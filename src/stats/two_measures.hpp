@@ -1,4 +1,4 @@
-/// A fragility over two intensity measures at once: does a second one tell what the first does not?
+/// A fragility over two intensity measures at once: does a second one add what the first lacks?
 #pragma once
 
 #include <array>

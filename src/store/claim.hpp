@@ -30,7 +30,7 @@ class Claim {
     Claim(Claim&&) = delete;
     Claim& operator=(Claim&&) = delete;
 
-    /// Does anybody hold any block there? False also where it cannot be told.
+    /// Does anybody hold any block there? False also where it is not known.
     [[nodiscard]] static bool held(std::filesystem::path const& folder);
 
     /// The lock's name in the folder.

@@ -32,7 +32,7 @@ class ShardFolder {
     /// The whole campaign as the run began it, kept so that a resume can say what changed; empty if there is none.
     /// \throws SystemError if it is damaged
     [[nodiscard]] std::string begun_with() const;
-    /// Makes the folder and puts the record into it, unless there is one already: whose it is tells begun_with().
+    /// Makes the folder and puts the record into it, unless there is one already: begun_with() gives its owner.
     /// \throws SystemError
     void begin(std::string const& campaign_record) const;
     /// The same in the place of a damaged record.

@@ -25,7 +25,7 @@ inline constexpr std::array window_readings{
                                  WindowReading::restarted},
     config::Entry<WindowReading>{"running", "energy that running oscillators gain over the window",
                                  WindowReading::running}};
-/// Those of the registry that curves are not drawn over unless they are asked for.
+/// Measures of the registry that curves are not drawn over unless they are requested.
 inline constexpr auto curve_measures = [] {
     constexpr auto is_asked = [](IntensityMeasure const& entry) { return entry.curves == Curves::asked; };
     std::array<config::Entry<Measure>, static_cast<std::size_t>(std::ranges::count_if(intensity_measures, is_asked))>

@@ -14,7 +14,7 @@ void describe_match(WaveRow& row, GeneratedWave const& wave);
 void describe_drawn(WaveRow& row, DrawnTarget const& drawn);
 /// Fills the row's duration and strength.
 void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& intensity);
-/// Its quality, and for each body its match where that body rocks.
+/// Fills its quality, and for each body its match where that body rocks.
 void describe_check(PreparedWave& wave, WaveCheck const& check);
 /// Sa at the campaign's periods and over its band, 5 % damping.
 void measure_sa(MeasureSpec const& measures, PreparedWave& wave);

@@ -77,7 +77,7 @@ struct Table::Node {
     [[nodiscard]] std::vector<KeyTable const*> tables_at(std::string_view key) const;
     /// "target.longest": where a table in this one has a key of just this name, if one alone has; else empty.
     [[nodiscard]] std::string further_down(std::string_view key) const;
-    /// That `key`, which stands in this table, is unknown, with its place and what may have been meant.
+    /// Message that `key`, which stands in this table, is unknown, with its place and what may have been meant.
     [[nodiscard]] std::string unknown_key(std::string_view key) const;
     /// \throws ContractError unless `key` may be read so, in developers' builds. \param dimension, range of a number
     void check_read(std::string_view key, Form form, std::optional<Dimension> dimension = {},

@@ -1,4 +1,4 @@
-/// The steps of a study, each of them short, so that what is left can be told.
+/// The steps of a study, each of them short, so that the time left can be estimated.
 #pragma once
 
 #include <functional>

@@ -13,7 +13,7 @@ namespace overturn {
 inline constexpr std::string_view only_rising = "values that only rise or only fall";
 
 /// Why it looks like none: it never changes its sign, only rises, or swings about another value than zero; empty if it
-/// may be one. Less than 20 numbers tell nothing.
+/// may be one. Less than 20 numbers are too few to judge.
 [[nodiscard]] std::string_view no_motion(std::span<double const> values);
 
 /// The same of numbers that are called accelerations: these may be a pulse, which keeps its sign but begins at zero,

@@ -52,8 +52,8 @@ void forget_numbered(std::vector<ColumnRole>& roles);
 /// "State --columns time,h1,v, with - for what is none", for messages.
 [[nodiscard]] std::string how_to_state(RecordRequest const& request, std::size_t count);
 
-/// Fills time, motions and left_out. \throws InputError if a column cannot be told, with what to state, or if what the
-/// request states contradicts a name
+/// Fills time, motions and left_out. \throws InputError if a column cannot be identified, with what to state, or if
+/// what the request states contradicts a name
 void place_columns(TextTable const& table, Claims const& claims, RecordRequest const& request, TableColumns& columns);
 
 }  // namespace overturn

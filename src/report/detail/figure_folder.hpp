@@ -7,8 +7,8 @@
 
 namespace overturn::report {
 
-/// A folder of its own, gone with the object. What a killed program left is removed by the next: a lock that the kernel
-/// drops with its holder tells which folders are in use.
+/// A folder of its own, gone with the object. The next program removes what a killed one left: a lock, which the kernel
+/// drops with its holder, marks folders in use.
 class FigureFolder {
   public:
     /// \throws SystemError

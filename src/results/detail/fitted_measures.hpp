@@ -17,7 +17,7 @@ namespace overturn {
 /// Measures that must be kept of every trial: these, and the level itself.
 [[nodiscard]] std::vector<Measure> held_measures(CampaignSpec const& spec);
 
-/// Those held against V_Ereq; none without energies.
+/// Measures compared with V_Ereq; none without energies.
 [[nodiscard]] std::vector<Measure> criteria_of(CampaignSpec const& spec);
 
 /// Name in files and JSON: "pga", "sa_1".
@@ -26,7 +26,7 @@ namespace overturn {
 [[nodiscard]] std::string label_of(Measure measure, CampaignSpec const& spec);
 /// Name on axes of figures: "V_WES", "Sa(1.9 s)".
 [[nodiscard]] std::string title_of(Measure measure, CampaignSpec const& spec);
-/// SI.
+/// SI unit of a measure.
 [[nodiscard]] std::string units_of(Measure measure, LevelSpec const& levels);
 
 /// Unit in which the levels were written, also for other measures of their dimension: V_WES in kine beside levels in

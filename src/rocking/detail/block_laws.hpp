@@ -9,8 +9,8 @@ namespace overturn::rocking {
 [[nodiscard]] inline double mul_add(double a, double b, double c) { return a * b + c; }
 
 // The laws' text is included twice, into two namespaces: here for doubles and series, as inline functions; in
-// lane_series-inl.hpp for vector lanes, as functions that the compiler is told to inline and to compile for one
-// instruction set. OVERTURN_LAW is what stands before each of them.
+// lane_series-inl.hpp for vector lanes, as functions that the compiler must inline and compile for one instruction set.
+// OVERTURN_LAW stands before each of them.
 #define OVERTURN_LAW [[nodiscard]] inline
 #include "rocking/detail/block_laws-inl.hpp"
 #undef OVERTURN_LAW

@@ -16,7 +16,7 @@ template <int Terms> struct FixedOrder {
     static constexpr int most = Terms;
     constexpr operator int() const { return Terms; }  // NOLINT(google-explicit-constructor): it is a number
 };
-/// That of campaigns, and of step_lanes.
+/// Order of campaigns, and of step_lanes.
 using CampaignOrder = FixedOrder<campaign_order>;
 /// Any of taylor_orders, for studies of accuracy. Terms beyond it are zero, which changes no bit of what evaluation,
 /// roots and bounds give.

@@ -42,7 +42,7 @@ class TrialLog {
         out_.peak_energy_ratio = energy_ / top_;
     }
     [[nodiscard]] double energy_at_weaker() const { return energy_; }
-    /// Its peak, over m g R of this corner.
+    /// Peak energy over m g R of this corner [-].
     [[nodiscard]] double energy() const { return energy_ / weight_; }
     void raise_slip(double slip_m) { out_.peak_slip_m = std::max(out_.peak_slip_m, std::abs(slip_m)); }
     void raise_demand(double demand) { out_.friction_demand = std::max(out_.friction_demand, demand); }

@@ -17,7 +17,7 @@ struct FreePeak {
 };
 [[nodiscard]] FreePeak free_peak_and_time(double angular_frequency_radps, double damping, double now, double rate);
 
-/// Its size alone.
+/// Largest |f| from now on, without its time.
 [[nodiscard]] double free_peak(double angular_frequency_radps, double damping, double now, double rate);
 
 /// The largest displacement, velocity and absolute acceleration of an oscillator at (y, v) over still ground.

@@ -32,7 +32,7 @@ struct CurveAttempt {
 
 /// Results that hold whatever the undecided trials would have done.
 struct UndecidedExtremes {
-    /// The median cannot be told: more than 5 % of a stripe (or tenth of the trials) at or below it has no verdict.
+    /// The median is not reported: more than 5 % of a stripe (or tenth of the trials) at or below it has no verdict.
     bool hide_median = false;
     FragilityFit::Intervals ends;  ///< the hull of those of `decided`, of all undecided standing and of all fallen
     std::vector<std::vector<Replicate>> refits;  ///< of the bootstrap of either extreme; none where it holds no curve

@@ -17,8 +17,7 @@ namespace overturn {
 /// Distinct waves with a trial between two intensities.
 [[nodiscard]] std::int64_t waves_of(std::span<SingleTrial const> trials, double from = 0, double to = HUGE_VAL);
 
-/// Nothing overturned: the highest stripe bounds P; everything did: the lowest. Single trials of one wave tell no more
-/// than one.
+/// Nothing overturned: the highest stripe bounds P; everything did: the lowest. Single trials of one wave count as one.
 [[nodiscard]] SeenBound tail_bound(FragilityData const& data, FragilityState state, double confidence);
 
 /// Separated data whose step lies at the end of what was tried: the exact interval of the stripe there.

@@ -29,7 +29,7 @@ inline constexpr char const* digest_of_all = "content_sha256";
 /// "<digest>  <path>" line by line, as sha256sum writes them.
 [[nodiscard]] std::string text_of(std::map<std::string, std::string> const& digests);
 
-/// "/trials/v_wes changed, /trials/x is gone": objects that differ from those a text_of tells of; empty if none does.
+/// "/trials/v_wes changed, /trials/x is gone": objects that differ from those in a text_of; empty if none does.
 [[nodiscard]] std::string differences(std::string const& told, std::map<std::string, std::string> const& found);
 
 }  // namespace overturn::store
