@@ -99,7 +99,7 @@ TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {
 }
 
 /// Every line is whole, and no effect is told without the study that found it.
-TEST(Assumptions, AreToldWhole) {
+TEST(Assumptions, AreListedInFull) {
     std::set<std::string_view> names;
     for (auto const& one : model_assumptions()) {
         EXPECT_TRUE(names.insert(one.name).second) << one.name;

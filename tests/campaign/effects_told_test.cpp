@@ -45,7 +45,7 @@ std::string campaign_with(std::string const& body_keys, std::string const& effec
     return testing::quick_waves + testing::type_b + body_keys + testing::levels("values=[6]\n") + effects;
 }
 
-TEST(EffectsTold, WhatAutoLeavesOutIsToldBeforeARun) {
+TEST(StatedEffects, EffectsThatAutoLeavesOutAreReportedBeforeARun) {
     static std::array const with_ties{
         models()[0], models()[1],
         ModelEntry{TiedModel::entry,
@@ -63,7 +63,7 @@ TEST(EffectsTold, WhatAutoLeavesOutIsToldBeforeARun) {
     EXPECT_TRUE(warnings(flat, models()).empty());
 }
 
-TEST(EffectsTold, FrictionThatForcedEffectsIgnoreIsTold) {
+TEST(StatedEffects, FrictionThatTheyIgnoreIsReported) {
     auto const warnings = [](std::string const& body_keys, std::string const& effects) {
         return warnings_of(campaign_from(campaign_with(body_keys, effects)));
     };
@@ -76,7 +76,7 @@ TEST(EffectsTold, FrictionThatForcedEffectsIgnoreIsTold) {
     EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\nmode='none'\n"), stuck));
 }
 
-TEST(EffectsTold, BasesAndComponentsThatStatedEffectsLeaveOutAreTold) {
+TEST(StatedEffects, BasesAndComponentsThatTheyLeaveOutAreReported) {
     auto const bears = [](CampaignSpec const& spec, std::string_view name) {
         auto const all = model_assumptions();
         return std::ranges::find(all, name, &ModelAssumption::name)->bears(spec);
@@ -113,7 +113,7 @@ TEST(EffectsTold, BasesAndComponentsThatStatedEffectsLeaveOutAreTold) {
     EXPECT_TRUE(told(warnings_of_stated_effects(body, level, parse_effects("vertical")), "no vertical component"));
 }
 
-TEST(EffectsTold, ForcedEffectsThatABodyCannotHaveAreRefusedWithTheirPlace) {
+TEST(StatedEffects, ThatABodyCannotHaveAreRefusedWithTheirPlace) {
     std::string const reed =
         "[[bodies]]\nname='reed'\nmass='1 t'\nbase_width='0.02 m'\ncentre_height='2 m'\ninertia='uniform-block'\n";
     auto const reads = [&](std::string const& keys, std::string const& included) {

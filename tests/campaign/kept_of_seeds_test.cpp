@@ -62,7 +62,7 @@ TEST(KeptOfSeeds, SlowShakingThatIsLostIsFound) {
 }
 
 // a seed whose PGV is that of 12 s, matched to its own spectrum up to 2 s only, or up to 10 s.
-TEST(KeptOfSeeds, PlansTellWhatIsLost) {
+TEST(KeptOfSeeds, PlansReportTheLoss) {
     auto const seed = motion(2, 0.5);
     std::string rows;
     for (std::size_t i = 0; i < seed.samples(); ++i) {

@@ -228,7 +228,7 @@ TEST(LimitState, QuantitiesOfAModelCallForIt) {
 }
 
 /// With such a limit every trial is simulated on points, those at rest too, and every one of them tells.
-TEST(LimitState, EveryTrialTellsWhatALimitNeeds) {
+TEST(LimitState, EveryTrialHasTheQuantitiesOfALimit) {
     auto const spec = with_limits("[[limits]]\nname='pressed'\nquantity='peak_contact_force_ratio'\nabove=1.2\n");
     Plan const plan(spec);
     ModelSelector const selector(spec.effects, spec.accuracy);

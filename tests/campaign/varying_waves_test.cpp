@@ -49,7 +49,7 @@ std::set<std::string> columns(CampaignSpec const& spec) {
     return names;
 }
 
-TEST(VaryingWaves, RowsTellTheDrawnTarget) {
+TEST(VaryingWaves, RowsHoldTheDrawnTarget) {
     auto const spec =
         campaign_from(varying_waves + "per_target=2\n" + testing::type_b + testing::levels("values=[6]\n"));
     auto const block = rows_of(spec);
@@ -108,7 +108,7 @@ TEST(VaryingWaves, StoredDeviationsOfAThousandTargetsAreThoseOfTheModel) {
 }
 
 // where the parts are stated, so are their deviations, which make up the whole's in every row.
-TEST(VaryingWaves, RowsTellThePartsOfEventAndTarget) {
+TEST(VaryingWaves, RowsHoldThePartsOfEventAndTarget) {
     auto waves = varying_waves;
     waves.replace(waves.find("sigma=0.6"), 9, "between=0.3\nwithin=0.4\ntargets_per_event=2");
     auto const spec = campaign_from(waves + testing::type_b + testing::levels("values=[0.1]\n"));
@@ -169,7 +169,7 @@ TEST(VaryingWaves, SaIsMeasuredAtTheCampaignsPeriodsAndLevelsScaleByIt) {
 }
 
 //
-TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsSaid) {
+TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsReported) {
     auto const spec =
         campaign_from(varying_waves + "per_target=2\n" + testing::type_b + testing::levels("values=[6, 12]\n"));
     Statistics statistics(spec);

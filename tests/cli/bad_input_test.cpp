@@ -77,7 +77,7 @@ TEST_F(BadInput, ImpossibleValues) {
 }
 
 // all that is missing, unknown or of another type is told in one run, a line each.
-TEST_F(BadInput, AllFaultsAreToldAtOnce) {
+TEST_F(BadInput, AllFaultsAreReportedAtOnce) {
     folder.write("b.toml", "name='c'\nmass='5 t'\ncolour='red'\n");
     folder.write("c.toml",
                  "[waves]\nsource='harmonic'\namplitude='lots'\nfrequency='1 Hz'\ncycles=5\n[[bodies]]\nname='a'\n"

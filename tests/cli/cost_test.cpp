@@ -195,7 +195,7 @@ TEST_F(Cost, RareEventsHaveAPrice) {
     EXPECT_GT(waves, 0);
 }
 
-TEST_F(Cost, WhatCannotBeIsSaidFirst) {
+TEST_F(Cost, ImpossibleRequestsAreReportedFirst) {
     refused({"cost", "none.toml"}, "none.toml: cannot be read");
     refused({"cost", "c.toml", "--waves", "0"}, "--waves 0 (no sample)");
     refused({"cost", "c.toml", "--html", "p.htm"}, "End it in .html");

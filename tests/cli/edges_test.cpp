@@ -268,7 +268,7 @@ TEST_F(Edges, FilesFollowTheUmask) {
 }
 
 // R-1202: Ranks that do not find each other would each run the whole campaign into one file.
-TEST_F(Edges, ARankThatIsAloneAmongOthersIsTold) {
+TEST_F(Edges, ARankThatIsAloneAmongOthersIsReported) {
     auto const ended = shell("PMI_SIZE=4 PMI_RANK=0 " OVERTURN_PROGRAM " run c.toml");
     expect_refused(ended, "PMI_SIZE says 4 ranks");
     EXPECT_NE(ended.err.find("Start it with the mpirun of Open MPI"), std::string::npos) << ended.err;

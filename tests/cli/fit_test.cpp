@@ -273,7 +273,7 @@ TEST_F(Fit, ResultsFile) {
 
 // Type B's restitution is drawn, type A is known exactly: beta^2 = beta_R^2 + beta_U^2, and HCLPF takes them
 // apart.
-TEST_F(Fit, TellsWhatTheBodyAddsToBeta) {
+TEST_F(Fit, ReportsThePartOfBetaFromTheBody) {
     folder.write("target.csv", target_csv);
     folder.write("c.toml", small_campaign("shared", 40));
     ASSERT_EQ(

@@ -279,7 +279,7 @@ TEST_F(Format, AFileWithFewerColumnsIsRead) {
     }
 }
 
-TEST_F(Format, WhoseCurvesAreToldIsSaid) {
+TEST_F(Format, TheProgramOfTheCurvesIsReported) {
     if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }
@@ -337,7 +337,7 @@ TEST_F(Format, TheTimesSayOnWhatTheyWereTaken) {
 }
 
 /// Legs that were told to leave are told of, too.
-TEST_F(Format, EveryLegIsTold) {
+TEST_F(Format, EverySegmentIsReported) {
     folder.write("target.csv", target_csv);
     folder.write("c.toml", small_campaign("shared", 12));
     EXPECT_EQ(overturn(folder, {"run", "c.toml", "--max-walltime", "0.001"}).code, 3);

@@ -86,7 +86,7 @@ TEST_F(Grid, MapMeetsClosedForms) {
               json({"at-rest", "rocked", "rocked", "rocked", "rocked", "overturned", "overturned", "rocked"}));
 }
 
-TEST_F(Grid, TellsNoCurveAndNoProbability) {
+TEST_F(Grid, GivesNoCurveAndNoProbability) {
     run("[[limits]]\nname='far'\nquantity='peak_rotation_ratio'\nabove=0.5\n");
     auto const text = overturn(folder, {"fit", "c.h5"}).out;
     for (auto const& answer : {ran.out, text}) {

@@ -73,7 +73,7 @@ TEST_F(Guard, ADamagedRecordGivesNoBlockAway) {
     expect_as_unbroken();
 }
 
-TEST_F(Guard, BlocksWithoutARecordAreSaid) {
+TEST_F(Guard, BlocksWithoutARecordAreReported) {
     half();
     std::filesystem::remove(folder / "c.h5.parts/campaign.record");
 
@@ -151,7 +151,7 @@ TEST_F(Guard, ABlockOfAnotherLengthIsComputedAgain) {
     expect_as_unbroken();
 }
 
-TEST_F(Guard, ResultsThatWereChangedByHandAreTold) {
+TEST_F(Guard, ResultsThatWereChangedByHandAreReported) {
     if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }

@@ -104,7 +104,7 @@ TEST_F(Hostile, TheCommandToGoOnCanBePasted) {
 }
 
 // R-1003.
-TEST_F(Hostile, FilesFromTheFutureAreToldFromDamagedOnes) {
+TEST_F(Hostile, FilesFromTheFutureAreDistinguishedFromDamagedOnes) {
     if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
     }

@@ -114,7 +114,7 @@ assert seen > 20 and 'peak_slip' not in f['quantiles/type-b']
     EXPECT_EQ(ended.code, 0) << ended.err;
 }
 
-TEST_F(Limits, FitTellsThemByName) {
+TEST_F(Limits, FitReportsThemByName) {
     auto const run = overturn(folder, {"run", "c.toml", "-o", "1.h5"});
     ASSERT_EQ(run.code, 0);
     EXPECT_EQ(run.out, overturn(folder, {"fit", "1.h5"}).out + "results: 1.h5\n");
@@ -216,7 +216,7 @@ TEST_F(Limits, DamagedCountsAreNoticed) {
     EXPECT_NE(ended.err.find("/limits/both/stripes/type-a/exceeded changed"), std::string::npos) << ended.err;
 }
 
-TEST_F(Limits, PlanTellsThemAndWhatSlidesFirst) {
+TEST_F(Limits, PlanReportsThemAndBodiesThatSlideFirst) {
     auto const plan = planned(folder, {"c.toml"}).out;
     EXPECT_NE(plan.find("limit     either: any of touches, tilts, overturning\n"), std::string::npos) << plan;
     EXPECT_NE(plan.find("  type-a: friction 0.5 < tan(alpha) 0.6507: slides before it rocks"), std::string::npos)

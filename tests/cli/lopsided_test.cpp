@@ -51,7 +51,7 @@ TEST_F(Lopsided, SameBytesOnAnyRanksAndReplayed) {
     }
 }
 
-TEST_F(Lopsided, PlanTellsTheWeakerSide) {
+TEST_F(Lopsided, PlanReportsTheWeakerSide) {
     folder.write("c.toml", campaign_of("[[bodies]]\nslope='1 deg'\ninitial_tilt='-2 deg'\n" + placed));
 
     auto const plan = planned(folder, {"c.toml"});

@@ -79,7 +79,7 @@ print(turned[0] if turned else -1)
     static inline bool drawable = false;
 };
 
-TEST_F(Outcomes, WhatFellThoughSaidToStandIsCountedNamedAndDrawn) {
+TEST_F(Outcomes, FalseSafeTestsAreCountedNamedAndDrawn) {
     int const wave = write_outcomes(3);
     auto const text = page();
     EXPECT_NE(text.find("<section id=\"outcomes\""), std::string::npos);
@@ -269,7 +269,7 @@ assert list(told['unsafe']['v_wes']) == [False, True, True] and told['criteria']
 )");
 }
 
-TEST_F(OutcomeStatistics, FalseSafeIsAFallSaidToStand) {
+TEST_F(OutcomeStatistics, FalseSafeIsAFallPredictedToStand) {
     holds(R"(
 c = o.counted(np.array([False, False, True, True, True]), np.array([True, False, False, True, True]))
 assert (c['false_safe'], c['safe'], c['false_alarm'], c['fell'], c['agreement']) == (1, 1, 1, 2, 0.6), c

@@ -82,7 +82,7 @@ TEST_F(Precision, MedianTargetAndTargetsThatAreNeverMet) {
 }
 
 /// It is said once, however often it is looked: after 32, 64 and 128 waves.
-TEST_F(Precision, WhatCannotBeMetIsSaidOnce) {
+TEST_F(Precision, ImpossibleTargetsAreReportedOnce) {
     for (int const ranks : {1, 2}) {
         auto const never =
             execute(folder, mpirun(ranks, {"run", "c.toml", "-o", fmt::format("n{}.h5", ranks), "--set",

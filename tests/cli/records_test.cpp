@@ -65,7 +65,7 @@ TEST_F(RecordsOnTheLine, DriftingPgvIsNoLevel) {
 }
 
 // A record that ends at rest and far away: no level by pgd without a word.
-TEST_F(RecordsOnTheLine, PgdOfAFlingIsSaid) {
+TEST_F(RecordsOnTheLine, PgdOfAFlingIsReported) {
     std::string text = "time_s,acc (gal)\n";
     for (int i = 0; i <= 2000; ++i) {
         text += fmt::format("{:.2f},{:.6f}\n", 0.01 * i, 20 * std::sin(pi * i / 1000.0));
@@ -76,7 +76,7 @@ TEST_F(RecordsOnTheLine, PgdOfAFlingIsSaid) {
     EXPECT_NE(plan.out.find("levels by pgd scale by what it is left at"), std::string::npos) << plan.out << plan.err;
 }
 
-TEST_F(RecordsOnTheLine, DriftIsSaidWhereLevelsDoNotNeedIt) {
+TEST_F(RecordsOnTheLine, DriftIsReportedWhereLevelsDoNotNeedIt) {
     folder.write("c.toml", campaign("files=['drifts.csv']\n", "pga", "'300 gal'"));
     char const* const warning = "record 0 ends at 1.76 m/s (";
     EXPECT_NE(planned(folder, {"c.toml"}).out.find(warning), std::string::npos);
@@ -96,7 +96,7 @@ TEST_F(RecordsOnTheLine, DriftIsSaidWhereLevelsDoNotNeedIt) {
 }
 
 // what was read is said, so that a reader can be checked: format, components, unit, step, count, duration.
-TEST_F(RecordsOnTheLine, WhatWasReadIsSaid) {
+TEST_F(RecordsOnTheLine, TheReadingIsReported) {
     char const* const line = "columns, acc (gal), gal, 0.01 s, 4001 samples, 40 s\n";
     EXPECT_TRUE(overturn(folder, {"spectrum", "--wave", "rests.csv"}).out.starts_with(std::string("read as ") + line));
     EXPECT_NE(overturn(folder, {"rock", "--body", "body.toml", "--wave", "rests.csv"})
@@ -112,7 +112,7 @@ TEST_F(RecordsOnTheLine, WhatWasReadIsSaid) {
 }
 
 // a record that levels scale by more than five is said, before any work.
-TEST_F(RecordsOnTheLine, ScaledRecordsAreSaid) {
+TEST_F(RecordsOnTheLine, ScaledRecordsAreReported) {
     std::string const line = "record 0 is scaled by up to ";
     folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'300 gal'"));
     EXPECT_EQ(planned(folder, {"c.toml"}).out.find(line), std::string::npos);
@@ -128,7 +128,7 @@ TEST_F(RecordsOnTheLine, ScaledRecordsAreSaid) {
 }
 
 // what a baseline correction does to PGA, PGV, PGD and Sa is said by every verb that makes one.
-TEST_F(RecordsOnTheLine, WhatABaselineDoesIsSaid) {
+TEST_F(RecordsOnTheLine, TheEffectOfABaselineIsReported) {
     folder.write("c.toml", campaign("files=['drifts.csv']\nbaseline='mean'\n", "pga", "'100 gal'"));
     for (auto const& arguments : std::vector<std::vector<std::string>>{
              {"plan", "c.toml"}, {"spectrum", "--wave", "drifts.csv", "--baseline", "mean"}}) {

@@ -142,7 +142,7 @@ TEST_F(Report, WritesFiguresAndTablesBesideIt) {
 }
 
 // with a hazard curve the page tells annual frequencies, those of `fit`, the interval first.
-TEST_F(Report, TellsAnnualFrequenciesByAHazardCurve) {
+TEST_F(Report, ShowsAnnualFrequenciesByAHazardCurve) {
     skip_without_packages();
     if (IsSkipped()) {
         return;
@@ -196,7 +196,7 @@ TEST_F(Report, DrawsAnyName) {
 }
 
 // trials worth a look are told with their numbers by fit and on the page, and replay finds them by these.
-TEST_F(Report, TellsTrialsWorthALook) {
+TEST_F(Report, ShowsTrialsToInspect) {
     auto const text = overturn(*folder, {"fit", "c.h5", "--section", "trials"}).out;
     EXPECT_NE(text.find("trials to inspect (overturn replay c.h5 --trial N)"), std::string::npos) << text;
     auto const told = nlohmann::json::parse(overturn(*folder, {"fit", "c.h5", "--json"}).out).at("telling_trials");

@@ -193,7 +193,7 @@ TEST_F(ResultsElsewhere, AreReadByH5dump) {
 }
 
 // Groups are listed by name; each says which body of the campaign it is of.
-TEST_F(ResultsElsewhere, TellWhichBodyAGroupIsOf) {
+TEST_F(ResultsElsewhere, NameTheBodyOfAGroup) {
     if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py"}).code != 0) {
         GTEST_SKIP() << "no h5py to read with (install python3-h5py)";
     }

@@ -94,7 +94,7 @@ TEST_F(Units, MeasuresOfTheSameDimensionFollow) {
 }
 
 // The unit that was asked for is that of every velocity in plan, run, merge and fit, V_Ereq of the header too.
-TEST_F(Units, VelocitiesAreToldAsAskedFor) {
+TEST_F(Units, VelocitiesArePrintedAsRequested) {
     std::vector<std::string> const kine{"--velocities", "kine"};
     folder.write("k.toml", small_campaign("shared", 6));
     folder.write("target.csv", target_csv);

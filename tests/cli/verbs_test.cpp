@@ -57,7 +57,7 @@ std::string sine_csv() {
 }
 
 // An angle has its degrees beside it, those of models in space too.
-TEST_F(Verbs, RockTellsAnglesInDegrees) {
+TEST_F(Verbs, RockPrintsAnglesInDegrees) {
     folder.write("sine.csv", sine_csv());
     folder.write("round.toml",
                  "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n"

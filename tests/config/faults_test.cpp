@@ -48,7 +48,7 @@ TEST(Faults, NoneOfWhatIsAsDescribed) {
     EXPECT_EQ(faults_in("seed = 1\nfile = 'a'\nbold = true\n"), std::vector<std::string>());
 }
 
-TEST(Faults, AllOfThemAreTold) {
+TEST(Faults, AllOfThemAreReported) {
     expect_told(
         "mass = '-3 t'\nbold = 1\ncolour = 2\nlevels = ['3 kg']\n[[parts]]\nshape = 'box'\n[[parts]]\n"
         "shape = 'bal'\nradius = [1]\n",
@@ -80,7 +80,7 @@ TEST(Faults, WhatStoppedAReaderStandsFirstAndOnce) {
     EXPECT_TRUE(told[2].starts_with("x.toml:2:8: bold"));
 }
 
-TEST(Faults, ReadersThatNeedNothingOfEachOtherAllTell) {
+TEST(Faults, IndependentReadersAllReport) {
     FaultGatherer faults;
     faults.run([] { throw InputError("one\nline"); });
     faults.run([] {});

@@ -132,7 +132,7 @@ basis = {others = "assumed"}
     EXPECT_EQ(input(root, "bodies[1].mass").basis, Basis::assumed);
 }
 
-TEST(Origin, DefaultsAreToldWhereNothingIsStated) {
+TEST(Origin, DefaultsAreListedWhereNothingIsStated) {
     static constexpr std::array shapes{Entry<int>{"square", "", 0}, Entry<int>{"round", "", 1}};
     auto const root = Table::parse("damping = 0.1", "x.toml");
 

@@ -139,7 +139,7 @@ TEST_F(SensitivityOfUplift, MassHasNone) {
 }
 
 /// What moves the median most comes first, and every end is told as it would be written.
-TEST_F(SensitivityOfUplift, IsToldByHowMuchItIs) {
+TEST_F(SensitivityOfUplift, IsReportedWithItsSize) {
     auto const json = output::json_of(sensitivity_tables(study()));
     std::vector<double> moves;
     for (auto const& row : json["rows"]) {
@@ -186,7 +186,7 @@ TEST(Sensitivity, ReplacesTheValueWhereItStands) {
     }
 }
 
-TEST(Sensitivity, AnEndThatCannotBeIsToldAsRefused) {
+TEST(Sensitivity, AnImpossibleEndIsReportedAsRefused) {
     auto const study = study_sensitivity(input_from(testing::quick_waves + testing::type_b
                                                     + "friction={static={value=0.5, basis='assumed'}, kinetic=0.48}\n"
                                                     + testing::levels("values=[5]\n")),

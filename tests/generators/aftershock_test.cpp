@@ -63,7 +63,7 @@ TEST(Aftershock, HasTheSourcesOwnDistributionTimesItsScale) {
     EXPECT_NEAR(second / first, 0.49, 0.05);
 }
 
-TEST(Aftershock, IsRefusedWhereNothingIsDrawnOrNothingIsSaid) {
+TEST(Aftershock, IsRefusedWhereNothingIsDrawnOrNothingIsStated) {
     auto const refuse = [](std::string const& keys, char const* part) {
         testing::expect_input_error([&] { (void)source_of(keys); }, "c.toml:", part);
     };

@@ -198,7 +198,7 @@ TEST(Records, VerticalRecordIsNoHorizontalShaking) {
 }
 
 // a step that no record has is said where it is read, also of one that is resampled.
-TEST(Records, AnUnusualStepIsSaid) {
+TEST(Records, AnUnusualStepIsReported) {
     std::map<std::string, std::string> const slow{{"s.csv", "time,acc (gal)\n0,1\n10,-2\n20,3\n30,-1\n"},
                                                   {"m.csv", "time (ms),acc (gal)\n0,1\n10,-2\n20,3\n30,-1\n"}};
     auto const label = [&](std::string const& file) {

@@ -188,7 +188,7 @@ TEST(Claims, OtherQuantitiesAreRefused) {
     }
 }
 
-TEST(Claims, WhatIsSaidTwiceDifferentlyIsNotSaid) {
+TEST(Claims, TwoDifferentStatementsAreNoClaim) {
     Claims prose;
     prose.take("values in g", 1);
     prose.take("values in gal", 2);

@@ -97,7 +97,7 @@ TEST(ComponentMapping, ByPlaceTheTextDecidesNothing) {
     EXPECT_EQ(read_placed(under("# x=NS y=UD z=EW", "t,x,y,z"), request).motion.vertical_mps2[0], 100 * gal);
 }
 
-TEST(ComponentMapping, IsTold) {
+TEST(ComponentMapping, IsReported) {
     auto const placed = read(under("# x=NS y=UD z=EW", "t,x,y,z"));
     EXPECT_EQ(placed.components, (std::vector<std::string>{"x", "z", "y"}));
     EXPECT_EQ(placed.claims, (std::vector<std::string>{"line 1: 'x' is horizontal", "line 1: 'y' is vertical",

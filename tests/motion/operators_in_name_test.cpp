@@ -10,7 +10,7 @@
 namespace overturn {
 namespace {
 
-TEST(OperatorsInNames, AreTold) {
+TEST(OperatorsInNames, AreReported) {
     for (char const* name :
          {"a [gal]/10",    "Sa(g)/1.5",    "Sa [g] x 0.5",  "pga [g]/2",   "a/2 [gal]",         "a^2",
           "|a|",           "da/dt",        "ax+ay",         "Sa/R [g]",    "S/ag [g]",          "Sa*1.5 [g]",

@@ -71,7 +71,7 @@ TEST(Station, KiknetDepthsStayApart) {
     EXPECT_EQ(read(six, "x.NS1").says, "x.NS1, transverse x.EW1, vertical x.UD1");
 }
 
-TEST(Station, CutsAndGapsAreSaid) {
+TEST(Station, CutsAndGapsAreReported) {
     auto const shorter = with(three, "r/x.UD", knet("U-D", 5, "XXX008", "100Hz", 96, "0.96"));
     EXPECT_EQ(read(shorter).says, "r/x.NS, transverse r/x.EW, vertical r/x.UD, cut to 96 samples");
     EXPECT_EQ(read(shorter).motion.samples(), 96U);

@@ -42,7 +42,7 @@ bool holds(Lines const& lines, std::string_view part) {
     return std::ranges::any_of(lines, [&](auto const& line) { return line.find(part) != std::string::npos; });
 }
 
-TEST(CriterionWords, SafetyIsSaidUnderItsHeading) {
+TEST(CriterionWords, SafetyIsReportedUnderItsHeading) {
     auto const good = words_on(judged(Safety::conservative), 0.95);
     EXPECT_EQ(
         good.supports,
@@ -92,7 +92,7 @@ TEST(CriterionWords, FalseAlarmsAreWeighedByHalf) {
     EXPECT_TRUE(holds(words_on(body, 0.95).supports, "fewer than half of its alarms at these levels are false: of 8"));
 }
 
-TEST(CriterionWords, TheOtherUnitOfRIsSaid) {
+TEST(CriterionWords, TheOtherUnitOfRIsReported) {
     auto body = judged(Safety::conservative);
     body.criterion.push_back({measure_named("v_wes_other_unit"), RadiusUnit::metre, body.criterion[0].study});
     EXPECT_TRUE(holds(words_on(body, 0.95).open,

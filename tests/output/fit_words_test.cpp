@@ -22,7 +22,7 @@ std::ptrdiff_t with(std::vector<std::string> const& texts, std::string_view part
     return std::ranges::count_if(texts, [&](auto const& text) { return text.find(part) != std::string::npos; });
 }
 
-TEST(FitWords, WhatNoCurveLeavesIsSaidFirst) {
+TEST(FitWords, BoundsWithoutACurveAreReportedFirst) {
     EXPECT_EQ(words_of(fit_of(table_of({{2, 100, 0}, {4, 100, 0}, {6, 100, 0}, {8, 100, 0}}))).at(0),
               "nothing overturned: no curve; P <= 0.03622 at 8 m/s2 (none of 100, 95 %)");
     EXPECT_EQ(words_of(fit_of(table_of({{2, 50, 50}, {4, 50, 50}}))).at(0),
@@ -47,14 +47,14 @@ TEST(FitWords, UndecidedTrialsAreCounted) {
     EXPECT_EQ(name_of(fit.state), "undecided");
 }
 
-TEST(FitWords, StripesBesideADoubtfulPointAreTold) {
+TEST(FitWords, StripesBesideADoubtfulPointAreReported) {
     auto const fit = fit_of(table_of({{2, 50, 1}, {3, 50, 40}, {4, 50, 10}, {6, 50, 45}, {8, 50, 49}}));
     auto const texts = warnings_of(fit, {"gal", 0.01}, 0.95);
     EXPECT_EQ(with(texts, "do not use the 5 % point or HCLPF; 1 of 50 at 200 gal: P in [0.000506, 0.107]"), 1)
         << fmt::format("{}", fmt::join(texts, "\n"));
 }
 
-TEST(FitWords, StripesOfFewAreToldTogether) {
+TEST(FitWords, StripesOfFewAreReportedTogether) {
     auto const texts = words_of(fit_of(table_of({{2, 1000, 1}, {3, 1000, 2}, {4, 1000, 3}})));
     EXPECT_EQ(with(texts, "P <= 0.00435 at 2 m/s2, P >= 0.000734 at 4 m/s2 (6 of 3000"), 1) << texts.back();
 }
@@ -65,7 +65,7 @@ TEST(FitWords, AQuoteInTheTailIsWarnedOf) {
     EXPECT_EQ(with(words_of(fit), "along the lognormal tail"), 1);
 }
 
-TEST(FitWords, GroupsThatCountAsOneAreSaid) {
+TEST(FitWords, GroupsThatCountAsOneAreReported) {
     auto const fit =
         fit_of({{.amplitude = 2, .trials = 200, .alike = 10}, {.amplitude = 4, .trials = 200, .alike = 10}});
     auto const text = words_of(fit).at(0);

@@ -28,7 +28,7 @@ TEST(WavesText, RefusedOnesAreCountedWithTheirShare) {
 }
 
 // Of 50 asked for and 50 drawn at most, 49.
-TEST(WavesText, FewerThanAskedForAreSaid) {
+TEST(WavesText, FewerThanRequestedAreReported) {
     auto acceptance = srp();
     for (auto const most : {1, 2}) {
         acceptance.most_drawn = most;
@@ -37,7 +37,7 @@ TEST(WavesText, FewerThanAskedForAreSaid) {
     }
 }
 
-TEST(WavesText, NothingIsSaidWhereNothingIsAmiss) {
+TEST(WavesText, NothingIsReportedWhereNothingIsAmiss) {
     EXPECT_EQ(waves_text(counts_of(9, 0), {}, 0.95), "");
     auto counts = counts_of(9, 0);
     counts.failed = 2;
@@ -48,7 +48,7 @@ TEST(WavesText, NothingIsSaidWhereNothingIsAmiss) {
         "rows)");
 }
 
-TEST(WavesText, WavesThatMissTheirRuleAreSaidToBeUsed) {
+TEST(WavesText, UsedWavesThatMissTheirRuleAreReported) {
     auto acceptance = srp();
     auto counts = counts_of(9, 0);
     counts.not_accepted = 3;

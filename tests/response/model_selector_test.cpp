@@ -184,7 +184,7 @@ TEST(ModelSelector, TrialsOfManyAreThoseOfEachAlone) {
     }
 }
 
-TEST(ModelSelector, SlipThatWasCalledForIsSaidEvenWhereNothingMovesInTheEnd) {
+TEST(ModelSelector, RequiredSlipIsReportedEvenWhereNothingMovesInTheEnd) {
     Many const many;
     auto const chosen = answers_of(ModelSelector(EffectRequest{}), many.trials());
     auto const forced = answers_of(ModelSelector({EffectMode::forced, planar}), many.trials());

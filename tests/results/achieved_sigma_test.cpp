@@ -109,7 +109,7 @@ TEST(AchievedSigma, AConditionTakesFromWhatIsStated) {
     EXPECT_NEAR(*told->measures[2].stated, 0.6 * std::sqrt(1 - rho * rho), 1e-12);
 }
 
-TEST(AchievedSigma, NothingIsSaidWhereNoneIsStatedOfTheWaves) {
+TEST(AchievedSigma, NothingIsReportedWhereNoneIsStatedOfTheWaves) {
     EXPECT_FALSE(counted(campaign(""), 8).achieved(0)) << "one target";
     EXPECT_FALSE(counted(campaign("sigma=0.6\n", "[waves.aftershock]\npause=5\n"), 8).achieved(0)) << "two shocks";
 }

@@ -123,7 +123,7 @@ TEST_F(AnalysisOfRows, ProportionalMeasuresFitAlike) {
 }
 
 // R-1104.
-TEST_F(AnalysisOfRows, TrialsWithoutVerdictAreSaid) {
+TEST_F(AnalysisOfRows, TrialsWithoutVerdictAreReported) {
     fill();
     trial(3, 2, Verdict::contact_lost, 4.5, 1);
     trial(3, 2, Verdict::failed, 0, 0);
@@ -216,7 +216,7 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
     EXPECT_EQ(verdict().false_alarms, Speaks::against);
 }
 
-TEST_F(AnalysisOfRows, SafetyThatWasNeverTriedIsSaidToBe) {
+TEST_F(AnalysisOfRows, UntestedSafetyIsReported) {
     wave(0, 2, 1);
     trial(0, 2, Verdict::rocked, 4.5, 3.0);
     EXPECT_EQ(analyse(spec, statistics, {})[1].verdict->safety, Safety::none_said_safe);

@@ -340,7 +340,7 @@ TEST(FrequencyOfUndecided, HoldsBothExtremes) {
     EXPECT_LT(standing.seen.lower, fallen.seen.lower);
 }
 
-TEST_F(Frequency, WhatRestsOnNoDataIsSaid) {
+TEST_F(Frequency, PartsWithoutDataAreReported) {
     auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0, .replicates = 50});
     auto const said = [&](HazardCurve const& hazard) {
         return output::frequency_text(frequencies_of(spec, statistics, analysis, hazard, 0.95), hazard, 0.95);

@@ -109,7 +109,7 @@ TEST(HazardNames, OtherRatesInTheTextAreRefused) {
 }
 
 // text that speaks of another measure than the column is told.
-TEST(HazardNames, OtherMeasuresInTheTextAreTold) {
+TEST(HazardNames, OtherMeasuresInTheTextAreReported) {
     auto const remarks = [](std::string const& line) {
         return parse_hazard(line + "\npga [g], annual_exceedance\n0.1,1e-2\n1,1e-5\n", "h.csv", over_pga).remarks();
     };

@@ -146,7 +146,7 @@ TEST(LimitState, WhatNoBodyCanPassIsRefused) {
 }
 
 // metres where millimetres were meant are told.
-TEST(LimitState, AbsurdThresholdsAreTold) {
+TEST(LimitState, AbsurdThresholdsAreReported) {
     auto const told = [](std::string const& above) {
         auto const lines =
             warnings_of(with_limits("[[limits]]\nname='t'\nquantity='peak_slip'\nabove=" + above + "\n"));

@@ -38,7 +38,7 @@ std::vector<Verdict> const verdicts{rest, fell, rocked, rest, slid,   rocked,   
 std::vector<double> const rotations{0, 1.6, 0.4, 0, 0, 0.95, 0, 1.6, 1.6, 0, 2, unknown, 1.6, 0.1, 0.7, 0, 0.95, 0.3};
 std::vector<double> const slips{0, 9, 0.02, 0, 0.3, 0.1, 0, 9, 9, 0.05, unknown, unknown, 9, 0.5, 0.5, 0, 0.2, 0.3};
 
-TEST(TellingTrials, AreTheOnesThatAHandFinds) {
+TEST(TrialsToInspect, AreTheOnesFoundByHand) {
     auto const spec = campaign();
     auto const found = telling_trials(spec, Plan(spec), {verdicts, rotations, slips});
 
@@ -69,7 +69,7 @@ TEST(TellingTrials, AreTheOnesThatAHandFinds) {
 }
 
 // what a base without friction wanders on points is no slip to look at.
-TEST(TellingTrials, ShowNoSlipOfABodyWithoutFriction) {
+TEST(TrialsToInspect, ShowNoSlipOfABodyWithoutFriction) {
     auto const spec = testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
                                              + testing::levels("values=[3,6,9]\n"));
     for (auto const& trial : telling_trials(spec, Plan(spec), {verdicts, rotations, slips})) {
@@ -78,7 +78,7 @@ TEST(TellingTrials, ShowNoSlipOfABodyWithoutFriction) {
 }
 
 // A file that ended early holds the first waves; a wave of its own at every level can change nothing back.
-TEST(TellingTrials, OfAPartAndOfIndependentWaves) {
+TEST(TrialsToInspect, OfAPartAndOfIndependentWaves) {
     auto const shared = campaign();
     TrialColumns const first_wave{std::span(verdicts).first(6), std::span(rotations).first(6),
                                   std::span(slips).first(6)};
@@ -93,7 +93,7 @@ TEST(TellingTrials, OfAPartAndOfIndependentWaves) {
     }
 }
 
-TEST(TellingTrials, TellHowToReplayThem) {
+TEST(TrialsToInspect, GiveTheCommandThatReplaysThem) {
     auto const spec = campaign();
     auto const found = telling_trials(spec, Plan(spec), {verdicts, rotations, slips});
     auto const text = output::telling_text(spec, found, "some.h5");
@@ -105,7 +105,7 @@ TEST(TellingTrials, TellHowToReplayThem) {
 }
 
 // Everyone gets one before anyone gets two, no one more than offered; of too many as many evenly spread get one.
-TEST(TellingTrials, AreSharedFairly) {
+TEST(TrialsToInspect, AreSharedFairly) {
     using Counts = std::vector<std::size_t>;
     EXPECT_EQ(share_fairly(Counts{5, 1, 0, 4}, 12), (Counts{5, 1, 0, 4}));
     EXPECT_EQ(share_fairly(Counts{5, 1, 0, 4}, 6), (Counts{3, 1, 0, 2}));

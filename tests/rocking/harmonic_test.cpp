@@ -76,7 +76,7 @@ INSTANTIATE_TEST_SUITE_P(Checked, SteadyHarmonic,
                                            Known{"sigma8", {8, 4, 0.8}, 0.07878169, 0.07896934}),
                          [](auto const& info) { return info.param.name; });
 
-TEST(SteadyHarmonicLimits, NoSteadyStateIsSaid) {
+TEST(SteadyHarmonicLimits, NoSteadyStateIsReported) {
     testing::expect_input_error([] { (void)steady_harmonic_rotation({8, 0.1, 0.5}); }, "no such steady state");
 }
 

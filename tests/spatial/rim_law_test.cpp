@@ -33,7 +33,7 @@ SpatialStart leaning(SpatialBlock const& block, double tilt) {
 }
 
 // By quadrature of one element's contact; and a flat drop, whose elements are all alike.
-TEST(SpatialRimLaw, ElementsGiveBackWhatTheyAreToldTo) {
+TEST(SpatialRimLaw, ElementsHaveTheStatedRestitution) {
     struct Known {
         double e, y;
     };

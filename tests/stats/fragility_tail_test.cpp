@@ -207,7 +207,7 @@ TEST(Tail, PooledRunsCover) {
 
 /// Above the highest stripe, and below the lowest, a curve that does not describe the data tells no P: what is left is
 /// that P does not fall.
-TEST(Tail, OutsideTheStripesAPoorCurveTellsNothing) {
+TEST(Tail, OutsideTheStripesAPoorCurveGivesNothing) {
     auto const plateau = table_of({{2, 500, 20}, {4, 500, 240}, {6, 500, 260}, {8, 500, 250}, {10, 500, 270}});
     auto const fit = fit_of(plateau, {{1.9, 1}, {20, 2}});
     ASSERT_TRUE(has(fit.flags, FragilityFlag::poor_fit) && !has(fit.flags, FragilityFlag::non_monotone));
@@ -238,7 +238,7 @@ TEST(Tail, OutsideTheStripesAPoorCurveTellsNothing) {
 
 /// The same of single trials: tenths of them on either side, by waves, of which the upper end counts those with any
 /// trial fallen and the lower one those with all.
-TEST(Tail, SingleTrialsOnEitherSideBoundWhatAPoorCurveCannotTell) {
+TEST(Tail, SingleTrialsOnEitherSideBoundPWhereTheCurveIsPoor) {
     std::vector<SingleTrial> trials;
     for (std::int64_t i = 0; i < 1000; ++i) {
         double const at = 2 + 0.01 * static_cast<double>(i);

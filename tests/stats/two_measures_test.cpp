@@ -53,7 +53,7 @@ TEST(TwoMeasures, IntervalsHoldWhatMadeTheTrials) {
 }
 
 /// A second measure that tells nothing gains what chance gains, one unit of deviance; one that tells gains far more.
-TEST(TwoMeasures, GainIsThatOfChanceWhereTheSecondTellsNothing) {
+TEST(TwoMeasures, GainIsThatOfChanceWhereTheSecondAddsNothing) {
     double gain = 0;
     constexpr int repetitions = 100;
     for (std::uint64_t r = 0; r < repetitions; ++r) {

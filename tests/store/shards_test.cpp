@@ -209,7 +209,7 @@ TEST_F(Shards, MissingBlockIsNamed) {
     expect_system_error([&] { (void)shards.read(8); }, "0000000008.block", "No such file");
 }
 
-TEST_F(Shards, DamagedRecordIsSaid) {
+TEST_F(Shards, DamagedRecordIsReported) {
     auto const whole = slurp(file("campaign.record"));
     for (std::size_t i = 0; i < whole.size(); ++i) {
         auto damaged = whole;
