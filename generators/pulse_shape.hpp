@@ -14,7 +14,7 @@ inline constexpr char const* parametric_pulse = "mavroeidis-papageorgiou";
 
 /// Parameters of `mavroeidis-papageorgiou` besides its period; the other shapes ignore them.
 struct PulseParameters {
-    double gamma = 2;      ///< how many periods it lasts, above 1
+    double gamma = 2;      ///< duration in periods, above 1 [-]
     double phase_rad = 0;  ///< nu
 };
 

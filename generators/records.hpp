@@ -8,7 +8,7 @@
 namespace overturn {
 
 extern config::KeyTable const records_table;       ///< [waves] of source records
-extern config::KeyTable const record_files_table;  ///< what says which records, and how they are read
+extern config::KeyTable const record_files_table;  ///< keys that choose records and their reading
 
 /// Wave n is record n. Keys of [waves]: `files`, a list of names with the keys below for all of them; or `records`, a
 /// list of tables ([[waves.records]]) with horizontal, transverse, vertical (names, the last two optional) and those

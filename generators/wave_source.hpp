@@ -44,9 +44,9 @@ struct GeneratedWave {
     std::optional<DrawnTarget> drawn;  ///< its own target, where targets vary
     std::string label;                 ///< one line that identifies this wave among its neighbours
 
-    std::vector<double> judged_periods_s;  ///< where the horizontal component was compared; empty without a target
+    std::vector<double> judged_periods_s;  ///< of the horizontal component [s]; empty without a target
     std::vector<double> ratios;            ///< computed over target there
-    AcceptanceRule rule;                   ///< what the source's waves must meet
+    AcceptanceRule rule;                   ///< rule that the source's waves must meet
     std::vector<Clause> clauses;           ///< of that rule, on the spectra of all components; empty without one
 };
 
@@ -63,15 +63,15 @@ struct StatedSigma {
 
 /// A wave that was measured.
 struct MeasuredWave {
-    std::string name;  ///< what the campaign calls it: its file
-    Drift drift;       ///< how it ends
+    std::string name;  ///< its name in the campaign: its file
+    Drift drift;       ///< residuals at its end
 };
 
 /// Facts of a source that are known before any wave is made.
 struct WaveDescription {
     std::string text;         ///< one line on what it makes, but for what WaveSource::text adds
-    std::string variability;  ///< what makes its waves differ, in a line that goes beside every curve drawn from them
-    std::optional<std::uint64_t> available = {};  ///< how many different waves there are; nothing: as many as one likes
+    std::string variability;  ///< cause of the differences of its waves, a line beside every curve from them
+    std::optional<std::uint64_t> available = {};  ///< number of different waves; empty: unlimited
     /// Periods of a grid [s], for a source whose n-th wave is the grid's n-th point; empty for all others. Such waves
     /// are no random sample, so that shares of them are no probabilities.
     std::vector<double> grid_periods_s = {};

@@ -32,7 +32,7 @@ struct DrawnBody {
 
 struct BodySpec {
     std::string name;
-    BodyInput stated;  ///< as the keys say, with the central value of whatever scatters
+    BodyInput stated;  ///< values of the keys, central ones of uncertain values
     std::optional<Scaling> scaling;
     RigidBody body;                    ///< of what is stated, scaled
     std::optional<Friction> friction;  ///< likewise central; empty: no slip

@@ -12,8 +12,8 @@ namespace overturn {
 /// Known rows of one wave.
 struct KnownWave {
     WaveRow row;
-    TrialRows trials;         ///< as the plan orders them; those that are not known say nothing
-    std::vector<bool> known;  ///< which are
+    TrialRows trials;         ///< in the plan's order; default rows where not known
+    std::vector<bool> known;  ///< true for those that are known
 };
 
 /// Source of known trials, asked before trials are computed. The caller compares its rows with the wave and the body

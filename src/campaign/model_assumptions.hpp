@@ -19,7 +19,7 @@ enum class Bears { no, yes, where_not_required };
 /// One fixed assumption of the model.
 struct ModelAssumption {
     std::string_view name;     ///< "one-plane"
-    std::string_view assumed;  ///< what is
+    std::string_view assumed;  ///< the assumption
     Misjudged direction = Misjudged::unknown;
     std::string_view key;       ///< of the campaign, that does without it; "none"
     std::string_view effect;    ///< as measured by a study of this project; "not measured"

@@ -29,7 +29,7 @@ struct Site {
     Sides cask;                                 ///< to another cask, which moves too
     Sides wall;                                 ///< to what stands still
     Sides edge;                                 ///< to the pad's edge
-    std::optional<std::size_t> cask_body = {};  ///< which of the bodies the other cask is; empty: one of the kind
+    std::optional<std::size_t> cask_body = {};  ///< place of the other cask's body; empty: one of the kind
     std::optional<double> height_m = {};        ///< of a body's highest point above its base, where it is stated
     std::optional<double> width_m = {};         ///< of a body where it is widest, where that is stated
 

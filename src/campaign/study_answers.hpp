@@ -29,7 +29,7 @@ struct StudyAnswers {
 struct StudyQuestion {
     char const* option;   ///< "--mass"
     char const* example;  ///< "'117 t'"
-    char const* words;    ///< what is asked, as help and prompt say it
+    char const* words;    ///< the question, for help and prompt
     std::optional<std::string> StudyAnswers::*answer;
     /// \throws InputError without the option's name
     void (*check)(std::string const& answer);

@@ -12,7 +12,7 @@ namespace overturn::cli {
 struct NamedColumn {
     std::string name;       ///< in lower case, without the unit: "pga", "sa(1 s)", "im"
     std::string_view bare;  ///< of `cell`'s name up to any bracket or unit, in the case it has
-    std::string_view unit;  ///< what stands in its brackets, or behind an underscore ("Sa_g"); empty: none
+    std::string_view unit;  ///< text in its brackets, or behind an underscore ("Sa_g"); empty: none
 
     /// Is it one of the usual names of an intensity: "IM", "amplitude", "Sa(T1)", "collapse_capacity"?
     [[nodiscard]] bool is_intensity() const;

@@ -19,8 +19,8 @@ struct RecordOptions {
     std::string time_step;            ///< "0.01 s"
     std::string format;               ///< a name of record_formats()
     std::string columns;              ///< "time,h1,h2,v"
-    std::string component;            ///< which one goes into the rocking plane
-    std::string components = "file";  ///< which others are used, by a name of component_choices()
+    std::string component;            ///< component in the rocking plane
+    std::string components = "file";  ///< other components, by a name of component_choices()
     std::string baseline = "none";    ///< as parse_baseline takes it
 };
 

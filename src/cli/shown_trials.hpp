@@ -18,7 +18,7 @@ namespace overturn::cli {
 
 struct ShownTrials {
     nlohmann::ordered_json drawn;                      ///< a list: history_data with `body`, `trial` and `title`
-    std::size_t bodies = 0;                            ///< how many bodies they are of
+    std::size_t bodies = 0;                            ///< number of their bodies
     std::vector<std::string> at_rest_at_design_basis;  ///< bodies that did not move there under any wave
 };
 

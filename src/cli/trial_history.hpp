@@ -44,7 +44,7 @@ struct HistoryOf {
     RigidBody const& body;  ///< as it was drawn
     GroundMotion const& motion;
     double scale = 1;             ///< of every component of the motion
-    MeasureSpec const* measures;  ///< how V_WES is measured; null: not wanted
+    MeasureSpec const* measures;  ///< settings for V_WES; null: not wanted
 };
 
 /// Most values of a quantity over time in a figure.

@@ -34,7 +34,7 @@ struct InputValue {
     std::optional<double> number = {};      ///< [SI] of a value that was read as a number
     Dimension dimension = Dimension::none;  ///< of that number
     std::string file = {};                  ///< that states it; of a default, the campaign
-    TextSpan span = {};                     ///< where it stands there; unknown for --set and defaults
+    TextSpan span = {};                     ///< its place there; unknown for --set and defaults
     int depth = 0;                          ///< 0: the document itself, 1: a file that it names
 };
 

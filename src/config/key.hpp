@@ -150,7 +150,7 @@ struct KeyTable {
     std::span<Key const> keys;
     std::array<KeyTable const*, 2> also = {};  ///< whose keys are here too
     std::string_view chosen_by = {};           ///< of several tables in one place: the key that distinguishes them
-    std::string_view word = {};                ///< what it says of this one
+    std::string_view word = {};                ///< value of that key for this table
 
     /// This table's keys and those it has from others.
     [[nodiscard]] std::vector<Key const*> every_key() const;

@@ -40,8 +40,8 @@ struct Field {
     FieldType type = FieldType::real;
     std::size_t offset = 0;                 ///< in the struct [bytes]
     std::vector<Category> categories = {};  ///< where type is category
-    std::int64_t absent = 0;  ///< what a file without this column has instead; of a real one it is always NaN
-    bool essential = false;   ///< no file is without it, and no value of it without meaning
+    std::int64_t absent = 0;                ///< value for files without this column; of a real one always NaN
+    bool essential = false;                 ///< no file is without it, and no value of it without meaning
     std::vector<std::pair<std::string, std::string>> notes = {};  ///< further attributes of its column: name and text
 
     /// The same, as a column that every file has.

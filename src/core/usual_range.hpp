@@ -15,8 +15,8 @@ template <class Of> struct UsualRange {
     double (*value)(Of const& of);  ///< NaN: does not apply
     double low, high;
     std::string (*said)(Of const& of, double value);
-    std::string_view known;   ///< what is usual
-    std::string_view remedy;  ///< what to look at
+    std::string_view known;   ///< the usual range, in words
+    std::string_view remedy;  ///< advice
 };
 
 /// A line for each number that lies outside: "<said> (<known>). <remedy>".

@@ -16,18 +16,18 @@ enum class Acts { trials, ou_v_e, v_wes, waves, spectra };
 /// One position of a knob.
 struct Setting {
     std::string label;
-    std::vector<std::string> settings;  ///< what a user would write after --set
+    std::vector<std::string> settings;  ///< as after --set
     double value = 0;                   ///< of `label`, for what no key states
 };
 
 struct Knob {
     std::string name;   ///< "effects": its group in files
     std::string title;  ///< "effects, model by model"
-    std::string error;  ///< what its error means
-    std::string timed;  ///< what its time is for: "trial"
+    std::string error;  ///< meaning of its error
+    std::string timed;  ///< unit of its time: "trial"
     Acts acts = Acts::trials;
     std::vector<Setting> settings;
-    std::optional<std::size_t> here = {};     ///< where the campaign stands; empty if no key says
+    std::optional<std::size_t> here = {};     ///< place of the campaign's setting; empty if no key states it
     std::vector<std::string> reference = {};  ///< settings of the trials that its own are held against
 };
 

@@ -20,7 +20,7 @@ namespace overturn::cost {
 struct Measured {
     Setting setting;
     double seconds = 0;  ///< CPU per trial or wave, the best of a few rounds
-    Spread error;        ///< what Knob::error says
+    Spread error;        ///< of the kind in Knob::error
     /// Verdicts against the reference: trials, flips, P(overturn), distribution; nothing for knobs without verdicts.
     std::int64_t trials = 0, flips = 0, overturning_flips = 0;
     double probability_error = not_known;
@@ -34,7 +34,7 @@ struct KnobResult {
     std::vector<Measured> rows;
     std::int64_t units = 0;  ///< trials or waves behind every row
     double floor = 0;        ///< errors up to here are what rounding does, and all the same
-    std::string advice;      ///< where the campaign stands and what the next step would buy
+    std::string advice;      ///< the campaign's setting, and the gain of the next step
 };
 
 struct Study {

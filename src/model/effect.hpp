@@ -22,7 +22,7 @@ using EffectMask = std::uint32_t;
 struct EffectEntry {
     Effect value;
     std::string_view name;
-    std::string_view summary;  ///< what it adds, and when it is called for
+    std::string_view summary;  ///< its physics, and when it is required
 };
 
 }  // namespace overturn

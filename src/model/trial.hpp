@@ -14,7 +14,7 @@ namespace overturn {
 /// Views: what they show must outlive the trial.
 struct Trial {
     RigidBody const* body = nullptr;
-    Footing const* footing = nullptr;  ///< what it stands on; never null where a model is asked
+    Footing const* footing = nullptr;  ///< its support; never null for a model
     std::optional<Friction> friction;  ///< empty: no slip
     Excitation excitation;             ///< all that shakes, whether it is simulated or not
     EffectMask simulated = 0;

@@ -15,7 +15,7 @@ namespace overturn {
 /// A cell without the blanks and quotes around it.
 struct Cell {
     std::string_view text;
-    int column = 0;  ///< where it begins, from 1
+    int column = 0;  ///< its first column, from 1
 };
 
 /// "0.2", ">1.3", "0,2"

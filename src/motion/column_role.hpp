@@ -32,7 +32,7 @@ struct ColumnRole {
     Quantity quantity = Quantity::unknown;
     ComponentName component = {};
     std::optional<double> unit = {};  ///< SI value of one unit, of the quantity's dimension
-    std::string unknown_unit = {};    ///< what stands in brackets where nothing known does
+    std::string unknown_unit = {};    ///< text in brackets that is no known unit
 
     [[nodiscard]] bool said() const {
         return quantity != Quantity::unknown || component.direction != Direction::unknown;

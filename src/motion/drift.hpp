@@ -15,7 +15,7 @@ struct Drift {
     double end_velocity_mps = 0;    ///< [m/s]
     double end_displacement_m = 0;  ///< [m]
     double factor = 1;              ///< by which the record was multiplied
-    std::string others = {};        ///< what the other components end at where that is excessive; "": nowhere
+    std::string others = {};        ///< residuals of other components where excessive; "": nowhere
 
     /// |end velocity| over PGV; 0 where nothing moves.
     [[nodiscard]] double share() const;

@@ -20,13 +20,13 @@ struct RecordRequest {
     bool unit_has_number = false;            ///< "2.4e-6 m/s2": what one count of an instrument is
     std::optional<double> time_step_s = {};  ///< where the file states none [s]
     std::string columns = {};    ///< "time,h1,h2,v": what a table's columns are, where their names do not say it
-    std::string component = {};  ///< what goes into the rocking plane; empty: the first horizontal one
+    std::string component = {};  ///< component in the rocking plane; empty: the first horizontal one
     ComponentChoice components = ComponentChoice::file;
     bool by_place = false;  ///< unnamed columns behind the time: horizontal[, transverse][, vertical], as in old files
     bool may_be_resampled = false;               ///< a stated step other than the file's own is no contradiction
-    std::string unit_key = "--unit gal|g|m/s2";  ///< how its user states the unit, for messages
-    std::string columns_key = "--columns {}";    ///< how its user states the columns, {} an example
-    std::string unit_conflict = "Leave the stated unit out";  ///< what to do where the file says another
+    std::string unit_key = "--unit gal|g|m/s2";  ///< option or key for the unit, for messages
+    std::string columns_key = "--columns {}";    ///< option or key for the columns, {} an example
+    std::string unit_conflict = "Leave the stated unit out";  ///< advice where the file states another
 };
 
 /// Takes a unit as users write it: "gal", or with a number "2.4e-6 m/s2". \throws InputError without a place

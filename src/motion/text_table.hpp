@@ -39,7 +39,7 @@ inline constexpr int head_lines_at_most = 250;
 
 /// Form in which a table is read.
 struct TableForm {
-    std::string_view begin_with = "Give columns time,a_horizontal";  ///< what to do about one without numbers
+    std::string_view begin_with = "Give columns time,a_horizontal";  ///< advice for one without numbers
     std::size_t columns = 0;                                         ///< that it must have; 0: any number
     bool motion = true;  ///< a count and a time step may stand above the rows, no text behind a row's numbers
 };

@@ -29,12 +29,12 @@ struct Answered {
 /// The answer as people read it: rows of P of overturning and of every limit state with its interval, median and 95th
 /// percentile of slip and tilt, HCLPF, annual frequency.
 struct AnswerSheet {
-    std::string title;              ///< how many waves, which intervals
+    std::string title;              ///< number of waves, confidence of intervals
     std::vector<std::string> head;  ///< the levels' measure, nothing, and a level for each further column
     /// Body, what, and a cell for each level; or one cell for all (HCLPF). A row without a body is of the one above.
     std::vector<std::vector<std::string>> rows;
-    std::string left_out;    ///< what rows were left out, and where they are; empty: none
-    std::string dependence;  ///< what the numbers depend on
+    std::string left_out;    ///< rows that were left out, and their place; empty: none
+    std::string dependence;  ///< conditions of the numbers
 };
 /// Empty where waves are points of a grid, which are no sample. \param most_rows where bodies are many, rows are left
 /// out

@@ -32,7 +32,7 @@ enum class RecordKind { verify, qualify, published, cost, sensitivity };
 
 /// A row of the page's table of checks.
 struct CheckRow {
-    std::string check;   ///< what was compared with what
+    std::string check;   ///< the comparison
     std::string result;  ///< "not run" without a record
     std::string record;  ///< the record's program, machine and date; without one: the command that writes it
     bool failed = false;

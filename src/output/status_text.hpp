@@ -13,7 +13,7 @@ struct Complete {
     std::string title = {};
     std::int64_t trials = 0, waves = 0;
     std::int64_t planned = 0;     ///< waves; more than `waves` where it ended early
-    std::string waves_text = {};  ///< what became of the waves (waves_text); empty: nothing to say
+    std::string waves_text = {};  ///< counts of the waves (waves_text); empty: nothing to report
     bool changed = false;         ///< the file is not as it was written
 };
 /// "complete, 960 trials of 'title'; precise enough after 32 of 64 waves"

@@ -57,7 +57,7 @@ struct Column {
 /// One table: a list of the same name in JSON, in a file a group of columns of one length.
 struct Table {
     std::string name;        ///< "fragility"
-    std::string group = {};  ///< where it lies in a file: "limits/touches/fragility/type-a"; empty: in no file
+    std::string group = {};  ///< its group in a file: "limits/touches/fragility/type-a"; empty: in no file
     std::string axis = {};   ///< the column along which the others lie in a file; empty: each is its own
     /// Values that are the same in all rows: in a file attributes of the group, in JSON fields of every row.
     std::vector<std::pair<std::string, Cell>> constants = {};

@@ -8,12 +8,12 @@ namespace overturn::qualify {
 
 struct Check {
     std::string number;  ///< "M-03"; never given to another check
-    std::string shows;   ///< what holds if it passes
+    std::string shows;   ///< statement that holds if it passes
     std::string source;  ///< whence the expected value: author and year, or the law
     std::string unit;    ///< of found and expected; "1" where they are pure numbers
     double found = 0, expected = 0;
     double tolerance = 0;     ///< largest |found - expected| that passes
-    std::string remark = {};  ///< what else a reader may want to know
+    std::string remark = {};  ///< further facts for a reader
     /// Why a published number is another one than what is right; empty: it is to be met. No failure then.
     std::string differs_because = {};
 

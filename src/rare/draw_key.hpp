@@ -16,7 +16,7 @@ struct DrawKey {
     std::uint64_t problem = 0;    ///< number of the limit state in its campaign, below 2^24
     std::uint64_t replicate = 0;  ///< below 2^12
     Phase phase = Phase::crude;
-    std::uint64_t level = 0;  ///< which stage of the pilot runs or level of a subset simulation, below 2^12
+    std::uint64_t level = 0;  ///< stage of the pilot runs, or level of a subset simulation, below 2^12
     std::uint64_t step = 0;   ///< of a Markov chain, below 2^12
     std::uint64_t index = 0;  ///< of the trial within its stage
 

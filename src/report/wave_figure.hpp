@@ -36,7 +36,7 @@ struct FigureBody {
 
 struct WaveFigure {
     std::string title;
-    std::string subtitle;  ///< where the wave comes from
+    std::string subtitle;  ///< source of the wave
     GroundMotion motion;
     double damping = 0.05;  ///< of the response spectrum [-]
     std::optional<TargetSpectrum> target;
@@ -45,7 +45,7 @@ struct WaveFigure {
     struct Unit {
         std::string symbol = "m/s";
         double si = 1;  ///< SI value of one of it
-    } velocities;       ///< what velocities are drawn in
+    } velocities;       ///< unit of drawn velocities
 };
 
 /// Data of the figure, for pages that hold it among others.

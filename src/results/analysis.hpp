@@ -27,8 +27,8 @@ struct MeasuredFragility {
     std::string label;       ///< the same, for people
     std::string title;       ///< the same, on axes of figures
     std::string units;       ///< of the measure, SI
-    IntensityUnit shown_in;  ///< what it is printed in: the levels' unit where that measures the same
-    std::string quote_base;  ///< what quoted multiples are of: "design-basis", "v_ereq"; empty without quotes
+    IntensityUnit shown_in;  ///< unit in print: the levels' where that measures the same
+    std::string quote_base;  ///< base of quoted multiples: "design-basis", "v_ereq"; empty without quotes
     bool of_levels = true;   ///< over the levels' own measure: over others it depends on which levels were run
     FragilityFit fit;
     std::optional<BetaSplit> split;                               ///< where the bodies were drawn
@@ -40,7 +40,7 @@ struct MeasuredFragility {
 /// One criterion of one body, measure < V_Ereq.
 struct MeasuredCriterion {
     Measure measure = measure_named("v_wes");
-    RadiusUnit radius_unit = RadiusUnit::centimetre;  ///< what R of T0 and T1 was taken in
+    RadiusUnit radius_unit = RadiusUnit::centimetre;  ///< unit of R in T0 and T1
     CriterionStudy study;
 };
 
@@ -86,14 +86,14 @@ struct LevelQuantiles {
     double amplitude = 0;
     std::int64_t trials = 0, unknown = 0;  ///< with a known value, those that fell among them; and others
     std::int64_t overturned = 0;           ///< of the known ones: above every other value
-    double fallen = 0;                     ///< what stands for a body that fell
+    double fallen = 0;                     ///< value for a body that fell
     std::array<SampleQuantile, 3> quantiles;
 };
 
 struct BodyAnalysis {
     std::string body;
-    std::string variability;                   ///< what makes the waves differ, on which every spread below hangs
-    std::optional<AchievedSigma> sigma;        ///< how much they do, where targets are drawn
+    std::string variability;                   ///< cause of the waves' differences, on which every spread below depends
+    std::optional<AchievedSigma> sigma;        ///< their scatter, where targets are drawn
     bool one_spectrum = false;                 ///< of all waves: no measure can prove better than another
     std::vector<MeasuredFragility> fragility;  ///< of overturning
     std::vector<LimitAnalysis> limits;

@@ -19,7 +19,7 @@ struct MissedClause {
     std::string clause;
     std::int64_t waves = 0;
     std::optional<double> worst = {};                            ///< the figure of the wave that missed it most
-    std::optional<double> from_period_s = {}, to_period_s = {};  ///< where nine tenths of them miss it [s]
+    std::optional<double> from_period_s = {}, to_period_s = {};  ///< range of nine tenths of them [s]
 };
 
 /// Counts over waves that miss the rule, in any order.

@@ -13,7 +13,7 @@ namespace overturn {
 /// The mean of failing waves that look alike, as it arrives most often: of the waves that do what this pulse does to
 /// the body, the likeliest.
 struct FailurePulse {
-    double share = 0;     ///< how many of the failing waves look so [-]
+    double share = 0;     ///< share of the failing waves that look so [-]
     double factor = 0;    ///< on the waves where it was fitted
     GroundMotion motion;  ///< times the factor
 };

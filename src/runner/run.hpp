@@ -18,7 +18,7 @@ struct RunOptions {
     double max_walltime_s = std::numeric_limits<double>::infinity();
     Part part;                   ///< the whole, or one part of an array job, whose blocks wait for merge_parts
     bool quiet = false;          ///< no table on stdout
-    output::TextOptions text{};  ///< what of the results is printed
+    output::TextOptions text{};  ///< sections of results to print
 };
 
 /// A part that is done is complete.

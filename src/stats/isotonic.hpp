@@ -12,7 +12,7 @@ namespace overturn {
 struct PooledPoints {
     double from = 0, to = 0;  ///< intensities, SI
     double trials = 0, overturned = 0;
-    std::size_t points = 0;  ///< how many were pooled
+    std::size_t points = 0;  ///< number of pooled points
 
     [[nodiscard]] double probability() const { return overturned / trials; }
 };

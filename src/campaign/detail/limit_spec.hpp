@@ -16,7 +16,7 @@ namespace overturn {
 enum class WavesOfLevels { shared, independent, grid };
 
 extern config::KeyTable const limit_table;      ///< of [[limits]]
-extern config::KeyTable const precision_table;  ///< what a campaign may stop at: in [statistics], and of one limit
+extern config::KeyTable const precision_table;  ///< precision at which it ends, in [statistics] or a limit
 
 /// Reads [[limits]], behind overturning, which is always there, and those that a site brings. Targets that a limit does
 /// not state are those of [statistics]. \param statistics [statistics], whose targets are read too \param falls_pass of

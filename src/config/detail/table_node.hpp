@@ -22,7 +22,7 @@ struct Origin {
     Basis basis = Basis::not_stated;
     std::string source = {};
     toml::array const* range = nullptr;  ///< of a single value: two plausible ends
-    toml::node const* said = nullptr;    ///< what says so
+    toml::node const* said = nullptr;    ///< place of this statement
 };
 
 /// A number, or a text such as "1.5 t". \throws InputError

@@ -19,7 +19,7 @@ struct FailedWave {
 /// Lengths in periods 2 pi / p of the body.
 struct FitOptions {
     std::size_t pulses = 8;
-    double before = 3.2;  ///< what of a wave is kept before it fails; beyond, nothing in common is left but noise
+    double before = 3.2;  ///< part of a wave kept before it fails; earlier parts have only noise in common
     double after = 0.4;
     double edge = 0.4;                      ///< of the window, half a cosine
     double arrival_kernel = 0.6;            ///< standard deviation of what smooths the times of failure

@@ -8,7 +8,7 @@
 namespace overturn::rare {
 
 struct Scouted {
-    double factor = 0;  ///< where failure is common, at least the one it began with
+    double factor = 0;  ///< factor at which failure is common, at least the first one
     Count count{};      ///< of plain trials at that factor
     Count at_first{};   ///< of those at the factor it began with
     double missed = 0;  ///< share of failures that lie below the highest 2 x failures of the driver [-]

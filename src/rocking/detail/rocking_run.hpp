@@ -58,7 +58,7 @@ struct RockingRun {
     Progress progress;
     Sample sample;
     TrialLog log;
-    Checkpoint checkpoint;  ///< where friction gave out, of a trial that is over
+    Checkpoint checkpoint;  ///< state before friction was exceeded, of a trial that is over
 
     /// sin and cos of psi as the last step in a lane left them.
     struct Trigonometry {

@@ -19,7 +19,7 @@ struct State {
     double slip_m = 0, slip_velocity_mps = 0;
     double slip_sign = 0;
     bool slipped = false;                    ///< at some time
-    StartRoot start_root = StartRoot::none;  ///< how phi stands here: a zero at a step's start is no event
+    StartRoot start_root = StartRoot::none;  ///< kind of the zero of phi here: at a step's start it is no event
 };
 
 /// Place in the wave, beside the time within its sample.

@@ -28,7 +28,7 @@ enum class State : int {
     wx,  ///< angular velocity about the body's own axes
     wy,
     wz,
-    shear_x,      ///< how far friction holds a rim's springs back
+    shear_x,      ///< of a rim's springs, as friction holds it
     shear_y,      ///< likewise
     shear_twist,  ///< about the vertical, times the arc's radius of gyration
     // place in the wave
@@ -51,7 +51,7 @@ enum class State : int {
     most_energy,  ///< of rocking, over m g R
     most_slip,    ///< squared
     slip_path,    ///< that it has travelled
-    base_x,       ///< where what slips was when last looked at
+    base_x,       ///< place of the base when slip was last checked
     base_y,       ///< likewise
     most_x,       ///< farthest that the circle round the base reached
     least_x,      ///< likewise
