@@ -64,7 +64,7 @@ InputTally tally_of(std::span<config::InputValue const> inputs) {
 
 std::string text_of(InputTally const& tally) {
     return fmt::format(
-        "{} of {} inputs are assumed, {} published, {} measured, {} not stated, {} default{} of this "
+        "{} of {} inputs are assumed, {} published, {} measured, {} without a source, {} default{} of this "
         "program",
         tally.assumed, tally.all(), tally.published, tally.measured, tally.not_stated, tally.by_default,
         tally.by_default == 1 ? "" : "s");

@@ -39,10 +39,11 @@ bool is_quantity(std::string const& text, Dimension dimension) {
 }
 
 void check_level(std::string const& text) {
-    validate(is_quantity(text, Dimension::acceleration) || is_quantity(text, Dimension::velocity),
-             "'{}' (no peak acceleration or velocity above 0, with its unit). Write for example \"600 gal\", \"0.3 g\" "
-             "or \"100 kine\"",
-             text);
+    validate(
+        is_quantity(text, Dimension::acceleration) || is_quantity(text, Dimension::velocity),
+        "'{}' (no number above 0, a blank, and a unit of acceleration or velocity). Write for example \"600 gal\", "
+        "\"0.3 g\" or \"100 kine\"",
+        text);
 }
 
 void check_count(std::string const& text) {

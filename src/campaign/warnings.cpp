@@ -155,7 +155,7 @@ std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, Ground
     };
     auto const on_bed = mask_of(Effect::contact) | mask_of(Effect::spatial);
     std::array const all{
-        Stated{mask_of(Effect::sliding), "sliding", body.friction.has_value(), "its friction is stated",
+        Stated{mask_of(Effect::sliding) | on_bed, "sliding", body.friction.has_value(), "its friction is stated",
                "it does not slip"},
         Stated{on_bed, "contact", body.footing.stated, "its base or pad is stated", "it turns about two rigid corners"},
         Stated{mask_of(Effect::spatial), "spatial", body.axes > 1 && !motion.transverse_mps2.empty(),
@@ -192,6 +192,13 @@ std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedW
                 fmt::format("{} requires {}, but no model supports it together with the other required effects: it is "
                             "not simulated (reason left-out). State effects.include or change the body",
                             body.name, names_of_effects(lost)));
+        }
+        if (body.axes > 1 && !wave.motion.transverse_mps2.empty() && !body.footing.stated) {
+            lines.push_back(fmt::format(
+                "{}: its base is not stated, and is taken as square on its four corners. A round foot rolls "
+                "under two components, and overturns at lower levels. State base = {{shape = \"round\"}} or "
+                "\"square\"",
+                body.name));
         }
         for (auto& line : warnings_of_stated_effects(body, wave.motion, spec.effects)) {
             lines.push_back(std::move(line));

@@ -115,8 +115,8 @@ std::string assumptions_lines(CampaignSpec const& spec, bool full) {
         text += labelled("assumed", names_text(assumed, most_keys) + " (values and reasons: --full)");
     }
     if (!unstated.empty()) {
-        text += labelled("unstated", names_text(unstated, full ? unstated.size() : most_keys)
-                                         + R"(: say basis = "published", "measured" or "assumed")");
+        text += labelled("no source", names_text(unstated, full ? unstated.size() : most_keys)
+                                          + R"(: say basis = "published", "measured" or "assumed")");
     }
     std::vector<std::string> unsafe;
     std::size_t bearing = 0;

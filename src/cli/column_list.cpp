@@ -30,7 +30,9 @@ std::string generic(std::string const& group, std::vector<std::string> const& bo
         auto part = group.substr(begin, end - begin);
         auto const before = parts.empty() ? "" : parts.back();
         bool const of_body = before == "<body>";
-        if (before == "limits" || before == "pairs" || before == "together") {
+        if (before == "inputs") {
+            part = "<n>";
+        } else if (before == "limits" || before == "pairs" || before == "together") {
             part = "<limit>";
         } else if (of_body && parts.front() == "quantiles") {
             part = "<quantity>";

@@ -76,7 +76,8 @@ int sensitivity(CostOptions const& options) {
     Remaining remaining;
     auto const found = cost::study_sensitivity(input, options.waves.value_or(0),
                                                [&](double done, double left_s) { remaining(done, left_s); });
-    auto const json = output::json_of(cost::sensitivity_tables(found));
+    auto json = output::json_of(cost::sensitivity_tables(found));
+    json["campaign_sha256"] = input.sha256();
     fmt::print("{}", options.json ? json.dump(2) + "\n" : cost::sensitivity_text(found));
     if (!options.page.empty()) {
         write_page(options.page, report::sensitivity_page(json));
@@ -93,7 +94,8 @@ int study(CostOptions const& options) {
     Remaining remaining;
     auto const found = cost::run_study(input, {.waves = options.waves.value_or(0)},
                                        [&](double done, double left_s) { remaining(done, left_s); });
-    auto const json = output::json_of(cost::study_tables(found));
+    auto json = output::json_of(cost::study_tables(found));
+    json["campaign_sha256"] = input.sha256();
     fmt::print("{}", options.json ? json.dump(2) + "\n" : cost::study_text(found));
     if (options.output) {
         cost::write_study(*options.output, input, found);

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <vector>
 
+#include "campaign/rows.hpp"
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/print_note.hpp"
@@ -81,9 +82,20 @@ void refuse_mixture(fs::path const& folder, std::vector<std::string> const& all,
     }
 }
 
+// Without them a table would lose its rows.
+void require_essential_columns(store::ResultsReader const& file) {
+    for (auto const& field : fields_of<TrialRow>()) {
+        auto const path = "trials/" + field.name;
+        validate(!field.essential || file.has(path), "results file: has no {} (it was edited). Restore it, or run the "
+                 "campaign again",
+                 path);
+    }
+}
+
 int write_tables(ExportOptions const& options) {
     check(options);
     store::ResultsReader const file(options.file, options.unverified.trust());
+    require_essential_columns(file);
     auto const sheets = output::sheets_of(file);
     (void)options.unverified.warn_if_edited(file, options.file);
     auto const folder = options.place();

@@ -65,6 +65,7 @@ std::optional<std::string> ask(StudyQuestion const& question) {
             if (!question.must) {
                 return std::nullopt;
             }
+            print_note("  needed: nothing can be assumed for it\n");
             continue;
         }
         try {

@@ -32,12 +32,14 @@
 #include "output/fit_json.hpp"
 #include "output/package_text.hpp"
 #include "output/page_text.hpp"
+#include "output/records_table.hpp"
 #include "output/summary_tables.hpp"
 #include "output/waves_text.hpp"
 #include "report/cost_page.hpp"
 #include "report/figure.hpp"
 #include "response/registry.hpp"
 #include "results/analysis.hpp"
+#include "results/few_waves.hpp"
 #include "results/rare_results.hpp"
 #include "results/recount.hpp"
 #include "results/stored_names.hpp"
@@ -205,7 +207,7 @@ void add_cover(ReportOptions const& options, CampaignSpec const& spec, Json& dat
 int write_report(ReportOptions const& options) {
     check_places(options);
     check_fit_options(options.beta_u, options.confidence);
-    auto const records = read_check_records(options.records);
+    auto const checks = read_check_records(options.records);
     (void)options.unit.si();
     store::ResultsReader const file(options.file, options.unverified.trust());
     auto input = input_of(file);
@@ -222,7 +224,7 @@ int write_report(ReportOptions const& options) {
     data["fit"]["assumptions"] = assumptions_json(spec);
     auto const telling = telling_trials(spec, file);
     data["fit"]["telling_trials"] = output::json_of(output::telling_trial_table(spec, telling));
-    add_checks(records, options.file, file, data);
+    add_checks(checks, options.file, file, data);
     add_hand_checks(spec, data);
     add_rare(file, spec, data);
     data["changed"] = changed ? output::changed_file_text() : "";
@@ -239,6 +241,8 @@ int write_report(ReportOptions const& options) {
                                     .confidence = confidence,
                                     .frequencies = frequencies};
     data["answer"] = answer_of(answered);
+    auto const records = output::record_sheet(spec, trials_of_few_waves(spec, file));
+    data["records"] = {{"head", records.head}, {"rows", records.rows}};
     add_words(answered, data);
     data["waves"] = waves_of(input, spec, plan, file);
     data["spectra"] = spectra_of(input, spec);

@@ -37,13 +37,21 @@ output::CheckRow row_of(CheckRecord const& record, std::string const& maker) {
     }
 }
 
-void require_of_file(CheckRecord const& record, std::string const& path) {
-    auto const digest = store::sealed_digest(path);
-    auto const found = record.content.find("sha256");
+void require_of_file(CheckRecord const& record, std::string const& path, store::ResultsReader const& file) {
+    auto const holds = [&](char const* name, std::string const& digest) {
+        auto const found = record.content.find(name);
+        return found != record.content.end() && *found == digest;
+    };
     validate(
-        record.kind != RecordKind::verify || (found != record.content.end() && *found == digest),
+        record.kind != RecordKind::verify || holds("sha256", store::sealed_digest(path)),
         "--record {} (verify wrote it of another results file than {}). Verify this one: overturn verify {} --json",
         record.name, path, path);
+    bool const of_campaign = record.kind == RecordKind::cost || record.kind == RecordKind::sensitivity;
+    validate(
+        !of_campaign || holds("campaign_sha256", file.text("input_sha256")),
+        "--record {} (cost wrote it of another campaign than {} is of). Study this one: overturn cost CAMPAIGN.toml "
+        "--json",
+        record.name, path);
 }
 
 }  // namespace
@@ -69,7 +77,7 @@ void add_checks(std::span<CheckRecord const> records, std::string const& path, s
         auto const record = std::ranges::find(records, kind, &CheckRecord::kind);
         bool const there = record != records.end();
         if (there) {
-            require_of_file(*record, path);
+            require_of_file(*record, path, file);
         }
         auto const row = there ? row_of(*record, maker)
                                : output::missing_check(kind, std::filesystem::path(path).filename().string());

@@ -43,6 +43,12 @@ Field Field::always() const {
     return field;
 }
 
+Field Field::if_absent(std::int64_t value) const {
+    auto field = *this;
+    field.absent = value;
+    return field;
+}
+
 double real_at(std::span<std::byte const> row, Field const& field) { return value_at<double>(row, field); }
 
 std::int64_t integer_at(std::span<std::byte const> row, Field const& field) {

@@ -46,6 +46,8 @@ struct Field {
 
     /// The same, as a column that every file has.
     [[nodiscard]] Field always() const;
+    /// The same, with what a file without this column has instead.
+    [[nodiscard]] Field if_absent(std::int64_t value) const;
     /// The name with its unit, as scripts know it from JSON: "peak_slip_m".
     [[nodiscard]] std::string key() const;
 };

@@ -37,8 +37,8 @@ enum class Detail { all, probabilities, overturning };
 
 class SheetMaker {
   public:
-    SheetMaker(Answered const& of, std::size_t most_rows)
-        : of_(of), most_rows_(most_rows), levels_(answer_levels(of.spec.levels)) {}
+    SheetMaker(Answered const& of, std::size_t most_rows, std::size_t parts)
+        : of_(of), most_rows_(most_rows), parts_(parts), levels_(answer_levels(of.spec.levels)) {}
 
     [[nodiscard]] AnswerSheet sheet() {
         sheet_.title = title();
@@ -68,10 +68,12 @@ class SheetMaker {
                                               : fmt::format(" = {:.3g} x", value / base->value));
     }
 
+    // Of one body: capacities stand once, all else in each part.
     [[nodiscard]] std::size_t rows_of(Detail detail) const {
         auto const limits = of_.spec.limits.size();
-        constexpr std::size_t responses_and_capacity = 3;
-        return detail == Detail::all ? limits + responses_and_capacity : detail == Detail::probabilities ? limits : 1;
+        constexpr std::size_t responses = 2;
+        return detail == Detail::all ? parts_ * (limits + responses) + limits
+                                     : parts_ * (detail == Detail::probabilities ? limits : 1);
     }
 
     void add_rows() {
@@ -133,10 +135,22 @@ class SheetMaker {
         if (!are_few_records(of_.spec, of_.statistics.waves().waves)) {  // else each is a row of its own below
             add_responses(b);
         }
-        auto const* const f = frequency_at(of_, body.body, overturning_limit);
-        sheet_.rows.push_back(
-            {"", "HCLPF",
-             hclpf_text(body.over_levels()) + (f == nullptr ? std::string() : "; overturns " + frequency_words(*f))});
+        for (std::size_t limit = 0; limit < limits; ++limit) {
+            auto const& state = of_.spec.limits[limit];
+            sheet_.rows.push_back({"", limit == 0 ? "HCLPF" : "HCLPF " + said_name(state, of_.spec.limits),
+                                   capacity_text(body.body, state.name, body.curves_of(limit).front())});
+        }
+    }
+
+    // "0.245 g (lower end 0.2 g); 4.6e-05 to 8.5e-05 a year"
+    [[nodiscard]] std::string capacity_text(std::string const& body, std::string const& limit,
+                                            MeasuredFragility const& curve) const {
+        auto const waves = of_.statistics.waves().waves;
+        if (constexpr std::int64_t least = 5; are_few_records(of_.spec, waves) && waves < least) {
+            return fmt::format("needs {} motions or more ({} here)", least, waves);
+        }
+        auto const* const f = frequency_at(of_, body, limit);
+        return hclpf_text(curve) + (f == nullptr ? std::string() : "; " + frequency_words(*f, curve));
     }
 
     void add_responses(std::size_t b) {
@@ -165,7 +179,7 @@ class SheetMaker {
     }
 
     Answered const& of_;
-    std::size_t most_rows_;
+    std::size_t most_rows_, parts_;
     std::vector<std::size_t> levels_;
     AnswerSheet sheet_;
 };
@@ -189,15 +203,18 @@ struct Widths {
         auto const at = name.rfind(without_overturning);
         return at != std::string_view::npos && name.ends_with(')') ? name.substr(at) : std::string_view();
     }
-    [[nodiscard]] std::string line(std::vector<std::string> const& parts) const {
+    /// \param first, last of the columns behind the names
+    [[nodiscard]] std::string line(std::vector<std::string> const& parts, std::size_t first, std::size_t last) const {
         // "P(hits n..hbour)": the name inside is shortened.
         auto const& name = parts[1];
         auto const end = words_of(name).empty() ? std::string(")") : std::string(words_of(name));
         auto const inside = row - 2 - end.size();
-        auto const what =
-            name.size() <= row ? name : "P(" + shortened(name.substr(2, name.size() - 2 - end.size()), inside) + end;
+        auto const what = name.size() <= row ? name
+                          : name.starts_with("P(")
+                              ? "P(" + shortened(name.substr(2, name.size() - 2 - end.size()), inside) + end
+                              : shortened(name, row);
         auto text = fmt::format("{:<{}} {:<{}}", shortened(parts[0], body), body, what, row);
-        for (std::size_t p = 2; p < parts.size(); ++p) {
+        for (std::size_t p = first; p < std::min(last, parts.size()); ++p) {
             text += fmt::format(" {:<{}}", parts[p], cell);
         }
         return trimmed_end(text);
@@ -207,10 +224,11 @@ struct Widths {
 }  // namespace
 
 std::vector<std::size_t> answer_levels(LevelSpec const& levels) {
-    constexpr std::size_t most = 3;
+    constexpr std::size_t usual = 3;
+    constexpr std::size_t most_named = 6;
     auto const count = levels.levels.size();
     std::vector<std::size_t> places;
-    auto const add = [&](std::size_t place) {
+    auto const add = [&](std::size_t place, std::size_t most) {
         if (places.size() < most && place < count && std::ranges::find(places, place) == places.end()) {
             places.push_back(place);
         }
@@ -219,36 +237,45 @@ std::vector<std::size_t> answer_levels(LevelSpec const& levels) {
     for (auto const purpose : {LevelClass::design_basis, LevelClass::beyond_design}) {
         for (std::size_t l = 0; l < count; ++l) {
             if (levels.levels[l].purpose == purpose) {
-                add(l);
+                add(l, most_named);
                 first = purpose == LevelClass::design_basis ? l : first;
             }
         }
     }
     if (places.empty()) {
-        add(0);
+        add(0, usual);
     }
-    add(count - 1);
-    add(first + (count - 1 - first) / 2);
+    add(count - 1, usual);
+    add(first + (count - 1 - first) / 2, usual);
     std::ranges::sort(places);
     return places;
 }
 
-AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows) {
-    return of.spec.is_grid() || of.analysis.empty() ? AnswerSheet{} : SheetMaker(of, most_rows).sheet();
+AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows, std::size_t parts) {
+    return of.spec.is_grid() || of.analysis.empty() ? AnswerSheet{} : SheetMaker(of, most_rows, parts).sheet();
 }
 
 std::string answer_text(Answered const& of) {
-    constexpr std::size_t most_rows = 12;  // with title, levels and a note of what was left out: 15 lines
-    auto const sheet = answer_sheet(of, most_rows);
+    // With title, levels and a note of what was left out 15 lines; three levels beside each other, further ones below.
+    constexpr std::size_t most_lines = 13;
+    constexpr std::size_t names = 2;
+    constexpr std::size_t across = 3;
+    auto const parts = (answer_levels(of.spec.levels).size() + across - 1) / across;
+    auto const sheet = answer_sheet(of, most_lines - parts, parts);
     if (sheet.rows.empty()) {
         return {};
     }
     auto text = of.spec.title.empty() ? std::string() : shortened(of.spec.title, line_width) + "\n";
     text += wrapped(sheet.title);
     Widths const widths(sheet);
-    text += widths.line(sheet.head);
-    for (auto const& row : sheet.rows) {
-        text += widths.line(row);
+    for (std::size_t first = names; first < sheet.head.size(); first += across) {
+        text += widths.line(sheet.head, first, first + across);
+        for (auto const& row : sheet.rows) {
+            bool const of_all_levels = row.size() == names + 1 && sheet.head.size() > row.size();
+            if (!of_all_levels || first + across >= sheet.head.size()) {
+                text += of_all_levels ? widths.line(row, names, names + 1) : widths.line(row, first, first + across);
+            }
+        }
     }
     return text + (sheet.left_out.empty() ? std::string() : sheet.left_out + "\n") + wrapped(sheet.dependence);
 }

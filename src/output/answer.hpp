@@ -13,8 +13,9 @@
 
 namespace overturn::output {
 
-/// Levels that the answer is given at: the design basis and named levels beyond it, then the highest and a middle one,
-/// three at most. Without a named level: the lowest, a middle one and the highest. Places, rising.
+/// Levels that the answer is given at: the design basis and named levels beyond it, six at most; where they are fewer
+/// than three, the highest and a middle one. Without a named level: the lowest, a middle one and the highest. Places,
+/// rising.
 [[nodiscard]] std::vector<std::size_t> answer_levels(LevelSpec const& levels);
 
 /// Input of the answer; all outlive it.
@@ -37,8 +38,8 @@ struct AnswerSheet {
     std::string dependence;  ///< conditions of the numbers
 };
 /// Empty where waves are points of a grid, which are no sample. \param most_rows where bodies are many, rows are left
-/// out
-[[nodiscard]] AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows);
+/// out \param parts in which the levels are shown one below the other: each repeats the rows
+[[nodiscard]] AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows, std::size_t parts = 1);
 
 /// The same for the terminal: at most 15 lines of at most 100 columns, then what the numbers depend on.
 [[nodiscard]] std::string answer_text(Answered const& of);

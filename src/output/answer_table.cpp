@@ -12,7 +12,7 @@ Table answer_table(Answered const& of) {
         std::size_t level;
         Stripe const* stripe;
         BodyFrequency const* frequency;
-        std::optional<double> hclpf;
+        FragilityFit const* fit;
     };
     std::vector<Row> rows;
     std::vector<std::string> bodies, limits;
@@ -25,7 +25,7 @@ Table answer_table(Answered const& of) {
         for (std::size_t limit = 0; limit < limits.size(); ++limit) {
             for (auto const l : answer_levels(of.spec.levels)) {
                 rows.push_back({&body, limits[limit], l, &of.statistics.bodies()[b].stripes_of(limit)[l],
-                                frequency_at(of, body.body, limits[limit]), body.curves_of(limit).front().fit.hclpf()});
+                                frequency_at(of, body.body, limits[limit]), &body.curves_of(limit).front().fit});
             }
         }
     }
@@ -61,12 +61,18 @@ Table answer_table(Answered const& of) {
              percentile("peak_rotation_ratio", true))
         .add("peak_rotation_ratio_p95", "1", "95th percentile of it", percentile("peak_rotation_ratio", false))
         .add("hclpf", stated_unit(of.spec.levels.units()), "HCLPF of the limit state; NaN: not known",
-             [](Row const& row) { return row.hclpf; })
-        .add("annual_frequency", "1/a", "times a year, where a hazard curve is given", [](Row const& row) {
-            return row.frequency == nullptr
-                       ? std::optional<Interval>()
-                       : std::optional(row.frequency->mean ? row.frequency->interval : row.frequency->seen);
-        });
+             [](Row const& row) { return row.fit->hclpf(); })
+        .add("annual_frequency", "1/a", "times a year, where a hazard curve is given",
+             [](Row const& row) -> std::optional<Interval> {
+                 if (row.frequency == nullptr) {
+                     return std::nullopt;
+                 }
+                 auto ends = row.frequency->mean ? row.frequency->interval : row.frequency->seen;
+                 if (lacks_beta_u(*row.fit)) {
+                     ends.upper = std::numeric_limits<double>::infinity();
+                 }
+                 return ends;
+             });
     return table.take();
 }
 

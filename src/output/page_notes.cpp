@@ -69,6 +69,10 @@ Json page_notes(Answered const& of) {
         {"many_bodies", "{bodies} bodies: no more than {most} are drawn in one picture."},
         {"checks",
          "A check without a record counts as not run. Its row names the command that writes the record (--record)."},
+        {"hand_unsafe",
+         "Above the simulated median the calculation by hand is on the unsafe side. That is so for {bodies}: do not "
+         "quote it."},
+        {"check_failed", "FAILED: {check}: {result}."},
         {"sensitivity",
          "Each value that is stated to be assumed is moved alone, to both ends of its range or by a tenth, under the "
          "same waves."},

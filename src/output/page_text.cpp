@@ -62,7 +62,8 @@ std::string curve_words(MeasuredFragility const& curve, double confidence) {
     return text + (flags.empty() ? std::string() : fmt::format(" (flagged: {})", fmt::join(flags, ", ")));
 }
 
-std::string frequency_line(Answered const& of, std::string const& body, std::string const& limit) {
+std::string frequency_line(Answered const& of, std::string const& body, std::string const& limit,
+                           FragilityFit const& fit) {
     auto const* const f = frequency_at(of, body, limit);
     if (f == nullptr) {
         return {};
@@ -70,6 +71,9 @@ std::string frequency_line(Answered const& of, std::string const& body, std::str
     auto const& ends = f->mean ? f->interval : f->seen;
     auto const low = rounded_down(ends.lower, headline_digits);
     auto const high = rounded_up(ends.upper, headline_digits);
+    if (lacks_beta_u(fit)) {
+        return fmt::format("more than {:.{}g} times a year (how much more needs beta_U)", low, headline_digits);
+    }
     return fmt::format("at most {:.{}g} times a year ({:g} %: {:.{}g} to {:.{}g})", high, headline_digits,
                        100 * of.confidence, low, headline_digits, high, headline_digits);
 }
@@ -107,7 +111,7 @@ std::string headline(Answered const& of, std::size_t b, std::size_t limit) {
     auto const& stated = of.spec.limits[limit];
     std::vector<std::string> parts;
     for (auto const& part : {basis_text(of, b, limit), curve_words(body.curves_of(limit).front(), of.confidence),
-                             frequency_line(of, body.body, stated.name)}) {
+                             frequency_line(of, body.body, stated.name, body.curves_of(limit).front().fit)}) {
         if (!part.empty()) {
             parts.push_back(part);
         }

@@ -120,6 +120,11 @@ double relative_difference(double a, double b) {
     return std::isnan(difference) ? std::numeric_limits<double>::infinity() : difference;
 }
 
+// Earlier programs of the same format had another name for it.
+std::string_view present_name(std::string_view stored) {
+    return stored == "no-five-percent-point" ? "five-percent-doubtful" : stored;
+}
+
 /// A column of a file as names or numbers, whatever numbers it gives its names.
 class StoredColumn {
   public:
@@ -152,7 +157,7 @@ class StoredColumn {
         for (auto& bits : integers_) {
             std::int64_t renamed = 0;
             for (std::size_t bit = 0; bit < stored.size(); ++bit) {
-                auto const found = std::ranges::find(column_.names, stored[bit]);
+                auto const found = std::ranges::find(column_.names, present_name(stored[bit]));
                 if ((bits >> bit & 1) != 0 && found != column_.names.end()) {
                     renamed |= std::int64_t{1} << (found - column_.names.begin());
                 }

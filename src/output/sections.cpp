@@ -13,11 +13,11 @@
 #include "output/curve_text.hpp"
 #include "output/detail/criterion_text.hpp"
 #include "output/detail/event_text.hpp"
-#include "output/detail/few_waves_text.hpp"
 #include "output/detail/fit_words.hpp"
 #include "output/detail/limit_text.hpp"
 #include "output/detail/together_text.hpp"
 #include "output/frequency_text.hpp"
+#include "output/records_table.hpp"
 #include "output/stripe_text.hpp"
 #include "output/waves_text.hpp"
 
@@ -93,7 +93,7 @@ struct Section {
 // In the order in which they are printed.
 constexpr std::array sections{
     Section{"records", [](Printed const& p) { return !p.few.empty(); }, always,
-            [](Printed const& p, TextOptions const&) { return few_waves_text(p.answered.spec, p.few); }},
+            [](Printed const& p, TextOptions const&) { return records_text(p.answered.spec, p.few); }},
     Section{"stripes", always, is_grid,
             [](Printed const& p, TextOptions const& options) {
                 return stripes_text(p.answered.spec, p.answered.statistics, options.velocities);

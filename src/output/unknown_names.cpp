@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/texts_of.hpp"
 #include "response/registry.hpp"
 #include "results/stored_names.hpp"
 
@@ -26,6 +27,14 @@ std::vector<std::string> unknown_names_text(store::ResultsReader const& file) {
         }
     }
     return lines;
+}
+
+std::string absent_columns_text(store::ResultsReader const& file, CampaignSpec const& spec) {
+    constexpr std::size_t most = 12;
+    auto const absent = absent_columns(file, spec);
+    return absent.empty() ? std::string()
+                          : fmt::format("it has no {}: results that need {} are not known", names_text(absent, most),
+                                        absent.size() == 1 ? "it" : "them");
 }
 
 }  // namespace overturn::output

@@ -15,7 +15,8 @@ template <> Fields const& fields_of<Response>() {
         all.push_back(
             field<&Response::effects>("effects", "1", "bit mask of effects that ran: " + effect_bits()).always());
         all.push_back(category<&Response::model>("rung", "the model that the trial needed",
-                                                 {model_categories().begin(), model_categories().end()}));
+                                                 {model_categories().begin(), model_categories().end()})
+                          .if_absent(unknown_category));
         all.push_back(category<&Response::reason>("reason", "why the trial needed that model", reason_categories()));
         return all;
     }();

@@ -126,7 +126,7 @@ std::vector<CriterionTrial> MeasuredTrials::criterion_trials(std::int64_t body, 
     std::vector<CriterionTrial> list;
     list.reserve(trials_.size());
     each_of(body, [&, at = place_of(measure)](std::size_t t, Measured const& trial) {
-        if (trial.decided) {
+        if (trial.decided && !std::isnan(value(t, at) / trial.v_ereq_mps)) {  // a file may lack either
             list.push_back({value(t, at) / trial.v_ereq_mps, trial.wave(), trial.overturned(), trial.uplifted});
         }
     });

@@ -109,14 +109,15 @@ void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
         }
         stripe.undecided += end.decided ? 0 : 1;
     }
-    if (!end.decided) {
-        body.v_wes[level].add_undecided(row.v_wes_safe != 0);
-        body.ou_v_e[level].add_undecided(row.ou_v_e_safe != 0);
-        return;
-    }
-    stripe.overturned += end.fell ? 1 : 0;
-    body.v_wes[level].add(row.v_wes_safe != 0, end.fell);
-    body.ou_v_e[level].add(row.ou_v_e_safe != 0, end.fell);
+    stripe.overturned += end.decided && end.fell ? 1 : 0;
+    auto const predict = [&](std::int64_t safe, auto& counts) {
+        if (safe == unknown_category) {  // a file may lack the prediction
+            return;
+        }
+        end.decided ? counts.add(safe != 0, end.fell) : counts.add_undecided(safe != 0);
+    };
+    predict(row.v_wes_safe, body.v_wes[level]);
+    predict(row.ou_v_e_safe, body.ou_v_e[level]);
 }
 
 void Statistics::count_after_record(TrialRow const& row, BodyStatistics& body) const {

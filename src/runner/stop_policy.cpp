@@ -82,6 +82,8 @@ bool StopPolicy::may_merge() const {
     return may_go_on() && (requested == 0 || now_ms() - requested_ms < merge_grace_ms);
 }
 
+bool StopPolicy::is_overdue(double by_s) const { return elapsed_s() > after_s_ + by_s; }
+
 void StopPolicy::block_took(double seconds) { longest_s_ = std::max(longest_s_, seconds); }
 
 }  // namespace overturn

@@ -28,8 +28,12 @@ class StopPolicy {
     [[nodiscard]] bool may_go_on() const;
     /// May the merge go on? For some time after a SIGUSR1: most are done by then, and it would begin anew.
     [[nodiscard]] bool may_merge() const;
+    /// Is the time limit passed by so many seconds?
+    [[nodiscard]] bool is_overdue(double by_s) const;
     /// One more block took this long.
     void block_took(double seconds);
+    /// The longest of them; 0: none yet.
+    [[nodiscard]] double longest_block_s() const { return longest_s_; }
 
   private:
     [[nodiscard]] double elapsed_s() const;

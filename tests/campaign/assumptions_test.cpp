@@ -57,7 +57,7 @@ TEST(Assumptions, AreCountedByWhereValuesComeFrom) {
     EXPECT_EQ(all.not_stated, 0);
     EXPECT_EQ(all.assumed, plain.not_stated);
     EXPECT_EQ(text_of(InputTally{12, 9, 0, 2, 7}),
-              "12 of 30 inputs are assumed, 9 published, 0 measured, 2 not stated, 7 defaults of this program");
+              "12 of 30 inputs are assumed, 9 published, 0 measured, 2 without a source, 7 defaults of this program");
 }
 
 Bears bears(char const* name, std::string const& text) {

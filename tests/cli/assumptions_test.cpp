@@ -54,7 +54,7 @@ TEST_F(Assumptions, ArePlannedWithTheirCounts) {
     EXPECT_EQ(counts["published"], 1);
     EXPECT_EQ(counts["inputs"], stated["inputs"].size());
     auto const line = "1 of " + counts["inputs"].dump() + " inputs are assumed, 1 published, "
-                      + counts["measured"].dump() + " measured, " + counts["not_stated"].dump() + " not stated, ";
+                      + counts["measured"].dump() + " measured, " + counts["not_stated"].dump() + " without a source, ";
     EXPECT_NE(plan.out.find(line), std::string::npos) << plan.out;
     EXPECT_NE(plan.out.find("assumed   bodies[1].centre_height (values and reasons: --full)"), std::string::npos)
         << plan.out;

@@ -132,9 +132,12 @@ TEST_F(Format, ThePageOfColumnsIsTheFilesOwn) {
     run(varying_campaign(), "varying.h5");
     run(small_campaign("shared", 2) + "[site]\nwall='1 m'\nedge='1 m'\n", "site.h5");
     ASSERT_EQ(execute(folder, {"/bin/sh", "-c", "gzip -dc '" OVERTURN_GOLDEN "/results-5.h5.gz' > grid.h5"}).code, 0);
-    run(pulses_campaign(), "pulses.h5");
+    run(pulses_campaign() + "[[limits]]\nname='half'\nquantity='peak_rotation_ratio'\nabove=0.5\n", "pulses.h5");
+    auto refusing = small_campaign("independent", 4);
+    refusing.replace(refusing.find("match_iterations=3"), 18, "acceptance='japan'");
+    run(refusing, "refusing.h5");
     auto const page = overturn(
-        folder, {"list", "columns", "c.h5", "rare.h5", "varying.h5", "site.h5", "grid.h5", "pulses.h5", "--markdown"});
+        folder, {"list", "columns", "c.h5", "rare.h5", "varying.h5", "site.h5", "grid.h5", "pulses.h5", "refusing.h5", "--markdown"});
     ASSERT_EQ(page.code, 0) << page.err;
 
     auto const path = std::filesystem::path(OVERTURN_GOLDEN) / "../../src/store/COLUMNS.md";
@@ -148,7 +151,7 @@ TEST_F(Format, ThePageOfColumnsIsTheFilesOwn) {
     auto const text = overturn(folder, {"list", "columns", "grid.h5"}).out;
     EXPECT_NE(text.find("/grid/<body>\n"), std::string::npos) << text;
     EXPECT_EQ(text.find("/rare"), std::string::npos) << text;
-    for (std::string const name : {"c.h5", "rare.h5", "varying.h5", "site.h5", "grid.h5", "pulses.h5"}) {
+    for (std::string const name : {"c.h5", "rare.h5", "varying.h5", "site.h5", "grid.h5", "pulses.h5", "refusing.h5"}) {
         auto const listed = overturn(folder, {"list", "columns", name}).out;
         EXPECT_EQ(listed.find("unknown to this program"), std::string::npos) << name << listed;
     }

@@ -1,4 +1,6 @@
 // Requirement R-1102: a run leaves when it is asked to, soon, with everything committed, and says how to go on.
+#include <nlohmann/json.hpp>
+
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
 
@@ -102,6 +104,46 @@ TEST_F(Leaving, WithinSecondsOfADeadRank) {
     EXPECT_LT(seconds_since(begin), 6) << "2 s, and more on a busy machine";
     EXPECT_GE(blocks_done(folder, "c.h5"), before);
     EXPECT_EQ(execute(folder, mpirun(2, {"run", "c.toml", "--resume"})).code, 0);
+}
+
+// R-1101: blocks that a stopped rank holds are computed by the others; when it goes on, the file is the same.
+TEST_F(Leaving, NotForAStoppedRank) {
+    constexpr int waves = 1500;
+    write_short_blocks(waves);
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "one.h5"}).code, 0);
+    Running running(folder, mpirun(3, {"run", "c.toml"}));
+    ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 3; }));
+    auto const ranks = children_of(running.pid());
+    ASSERT_EQ(ranks.size(), 3U);
+    ::kill(ranks[1], SIGSTOP);
+    auto const plan = nlohmann::json::parse(overturn(folder, {"plan", "c.toml", "--json"}).out);
+    auto const blocks = plan.at("blocks").get<std::int64_t>();
+    ASSERT_GT(blocks, 8);
+    EXPECT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") == blocks; }))
+        << blocks_done(folder, "c.h5") << " of " << blocks << " while a rank is stopped";
+    ::kill(ranks[1], SIGCONT);
+
+    EXPECT_EQ(running.wait().code, 0);
+    EXPECT_TRUE(folder.read("c.h5") == folder.read("one.h5"));
+}
+
+// R-1102: a rank that hangs does not hold the others beyond the time limit, and what is committed stays.
+TEST_F(Leaving, WithoutAHungRank) {
+    write_short_blocks(100'000);
+    Running running(folder, mpirun(3, {"run", "c.toml", "--max-walltime", "3 s"}));
+    ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > 0; }));
+    auto const ranks = children_of(running.pid());
+    ASSERT_EQ(ranks.size(), 3U);
+    auto const begin = Clock::now();
+    ::kill(ranks[2], SIGSTOP);
+
+    auto const ended = running.wait();
+    EXPECT_EQ(ended.code, 3) << ended.err;
+    EXPECT_LT(seconds_since(begin), 60) << "3 s, and 30 of patience";
+    EXPECT_NE(ended.err.find("a rank has not answered"), std::string::npos) << ended.err;
+    EXPECT_GT(blocks_done(folder, "c.h5"), 0);
+    ::kill(ranks[2], SIGKILL);
+    EXPECT_EQ(overturn(folder, {"run", "c.toml", "--resume", "--max-walltime", "0.1 s"}).code, 3);
 }
 
 }  // namespace

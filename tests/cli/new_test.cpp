@@ -159,7 +159,7 @@ TEST_F(New, RefusesWhatCannotBe) {
     expect_refused({"--spectrum", "rg-1.60-vertical"}, "(of the vertical component)");
     expect_refused({"--records", "none.csv"}, "--records 'none.csv' (no such file)");
     expect_refused({"--hazard", "none.csv"}, "--hazard 'none.csv' (no such file)");
-    expect_refused({"--design-basis", "2 m"}, "--design-basis '2 m' (no peak acceleration or velocity");
+    expect_refused({"--design-basis", "2 m"}, "--design-basis '2 m' (no number above 0, a blank, and a unit");
     expect_refused({"--height", "5 m"}, "--height '5 m' (it goes with --gap, --wall or --edge)");
     expect_refused({"--duration", "5 s"}, "--duration '5 s' (it goes with --spectrum)");
     expect_refused({"--spectrum", "mlit-ch1", "--records", "record.csv"},

@@ -166,7 +166,14 @@ TEST_F(CalculationPackage, StudiesOfCostAreListed) {
     };
     folder->write("cost.json", cost({"--waves", "1"}));
     folder->write("moved.json", cost({"--sensitivity"}));
-    auto const data = data_of({"--record", "moved.json", "--record", "cost.json"});
+    auto const other = report({"--record", "cost.json"});
+    EXPECT_EQ(other.code, 2);
+    EXPECT_NE(other.err.find("of another campaign than c.h5 is of"), std::string::npos) << other.err;
+    ASSERT_EQ(overturn(*folder, {"run", "assumed.toml", "-o", "assumed.h5"}).code, 0);
+    auto const of_it =
+        overturn(*folder, {"report", "assumed.h5", "-o", "p.html", "--record", "moved.json", "--record", "cost.json"});
+    ASSERT_EQ(of_it.code, 0) << of_it.err;
+    auto const data = json::parse(folder->read("p.html"));
     auto const sentence = json::parse(folder->read("cost.json")).at("study").at(0).at("sentence").get<std::string>();
     EXPECT_NE(data.at("checks")[3].at("result").get<std::string>().find(sentence), std::string::npos);
     EXPECT_NE(data.at("checks")[4].at("result").get<std::string>().find("base_width = "), std::string::npos)

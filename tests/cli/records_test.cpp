@@ -157,10 +157,25 @@ TEST_F(RecordsOnTheLine, OfFewEachIsARow) {
     ASSERT_NE(at, std::string::npos) << run.out;
     for (std::size_t t = 0; t < ratios.size(); ++t) {
         bool const fell = ratios[t] > 1;  // it passed every limit, by no ratio of this one's
-        auto const said = fell ? std::string("fell\n") : fmt::format("{:.3g} tilts\n", ratios[t] / 0.5);
+        auto const said = fell ? std::string("fell\n") : fmt::format("{:.3g} of tilts\n", ratios[t] / 0.5);
         EXPECT_NE(run.out.find(said, at), std::string::npos) << run.out;
     }
     EXPECT_NE(run.out.find("rests.csv", at), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("HCLPF       needs 5 motions or more (1 here)\n"), std::string::npos) << run.out;
+
+    auto const rows = nlohmann::json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out).at("records");
+    ASSERT_EQ(rows.size(), ratios.size());
+    EXPECT_EQ(rows[0].at("record"), "rests.csv");
+    EXPECT_EQ(rows[0].at("peak_rotation_rad"), file.reals("trials/peak_rotation")[0]);
+    EXPECT_TRUE(rows[0].at("peak_slip_m").is_null()) << "without friction nothing slips";
+}
+
+// how far a site's limit is away is a length, not a ratio.
+TEST_F(RecordsOnTheLine, ASitesNearestLimitIsALength) {
+    folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'0.01 g'") + "[site]\nwall='0.4 m'\n");
+    auto const run = overturn(folder, {"run", "c.toml"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("  400 mm to touches\n"), std::string::npos) << run.out;
 }
 
 // the program reads what it wrote, without a word on units.

@@ -124,6 +124,28 @@ TEST(Answer, IsGivenAtTheLevelsThatMatter) {
     EXPECT_EQ(answer_levels(levels({other, design, other, other, other})), Places({1, 2, 4}));
     EXPECT_EQ(answer_levels(levels({other, design, beyond, other, other, beyond})), Places({1, 2, 5}));
     EXPECT_EQ(answer_levels(levels({other, other, other, design})), Places({3}));
+    EXPECT_EQ(answer_levels(levels({other, design, beyond, beyond, other, beyond, beyond})), Places({1, 2, 3, 5, 6}))
+        << "no named level is left out";
+}
+
+// more named levels than stand beside each other stand below, within the same 15 lines.
+TEST(Answer, HoldsEveryNamedLevel) {
+    Made const made(
+        body_named("cask"),
+        "design_basis='300 gal'\nbeyond_design=['600 gal','900 gal','1200 gal']\n[[limits]]\nname='touches'\n"
+        "quantity='peak_slip'\nabove='20 mm'\n",
+        {0, 0, 5, 20});
+    auto const text = made.text();
+    auto const lines = lines_of(text.substr(0, text.find("\nWaves: ")));
+    EXPECT_LE(lines.size(), 15U) << text;
+    for (auto const* const part : {"300 gal = design", "600 gal = 2 x", "900 gal = 3 x", "1200 gal = 4 x",
+                                   "0.125 [0.0418, 0.269]", "0.5 [0.338, 0.662]", "slip [mm]", "HCLPF touches"}) {
+        EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
+    }
+    EXPECT_EQ(text.find("HCLPF "), text.rfind("HCLPF", text.find("HCLPF touches") - 1)) << "once:\n" << text;
+    for (auto const& line : lines) {
+        EXPECT_LE(line.size(), 100U) << line;
+    }
 }
 
 // ends of intervals are rounded outwards; 1 - 0.025^(1/40) = 0.08810.

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/outward.hpp"
+#include "output/detail/answer_parts.hpp"
 #include "output/detail/fit_names.hpp"
 
 namespace overturn::output {
@@ -46,7 +47,8 @@ std::string percentiles_text(LevelQuantiles const* at, double unit, double least
     if (high.upper && *high.upper / unit < least) {
         return text(*high.upper);
     }
-    auto numbers = text(at->quantiles.front().value) + " / " + text(high.value);
+    auto const median = text(at->quantiles.front().value);
+    auto numbers = median.starts_with('<') && median == text(high.value) ? median : median + " / " + text(high.value);
     if (high.value >= at->fallen) {
         return numbers;
     }
@@ -68,8 +70,11 @@ std::string hclpf_text(MeasuredFragility const& curve) {
     return text(*fit.hclpf()) + (ends ? fmt::format(" (lower end {})", text(ends->lower)) : std::string());
 }
 
-std::string frequency_words(BodyFrequency const& f) {
+std::string frequency_words(BodyFrequency const& f, MeasuredFragility const& curve) {
     auto const& ends = f.mean ? f.interval : f.seen;
+    if (lacks_beta_u(curve.fit)) {
+        return fmt::format("> {:.3g} a year", rounded_down(ends.lower));
+    }
     return fmt::format("{:.3g} to {:.3g} a year", rounded_down(ends.lower), rounded_up(ends.upper));
 }
 

@@ -14,7 +14,7 @@ namespace overturn::output {
 /// "420 gal (lower end 380 gal)", or why there is none.
 [[nodiscard]] std::string hclpf_text(MeasuredFragility const& curve);
 
-/// "3.8e-08 to 5.9e-08 a year".
-[[nodiscard]] std::string frequency_words(BodyFrequency const& f);
+/// "3.8e-08 to 5.9e-08 a year"; "> 3.8e-08 a year" where beta_U, which raises it, is not known.
+[[nodiscard]] std::string frequency_words(BodyFrequency const& f, MeasuredFragility const& curve);
 
 }  // namespace overturn::output

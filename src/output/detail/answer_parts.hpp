@@ -17,6 +17,10 @@ namespace overturn::output {
     return found == body.quantiles.end() ? nullptr : &*found;
 }
 
+/// Is there a curve whose beta_U is not known? Its HCLPF is none, and the upper end of its annual frequency is open: a
+/// wider curve is passed more often.
+[[nodiscard]] inline bool lacks_beta_u(FragilityFit const& fit) { return fit.identifiable() && !fit.hclpf(); }
+
 /// Null without a hazard curve.
 [[nodiscard]] inline BodyFrequency const* frequency_at(Answered const& of, std::string const& body,
                                                        std::string const& limit) {

@@ -1,9 +1,11 @@
 #include "runner/detail/worker.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "campaign/block_rows.hpp"
 #include "core/elapsed.hpp"
+#include "core/print_note.hpp"
 #include "runner/root_broadcast.hpp"
 
 namespace overturn {
@@ -14,8 +16,15 @@ constexpr int ranks_worth_serving = 64;
 // Shares of what is left that each rank takes at once; ever smaller ones, so that all end together.
 constexpr std::int64_t shares_each = 4;
 constexpr double report_every_s = 1;
-constexpr double soon_s = 0.1;                              // blocks computed together: a SIGTERM leaves half a second
-constexpr double commit_every_s = 0.05;                     // what a kill may lose beside the blocks in hand
+constexpr double soon_s = 0.1;           // blocks computed together: a SIGTERM leaves half a second
+constexpr double commit_every_s = 0.05;  // what a kill may lose beside the blocks in hand
+// A rank that has nothing left waits twice the longest block, within these bounds, before it takes blocks over.
+constexpr double least_patience_s = 1;
+constexpr double patience_untried_s = 30;  // of a rank that computed no block
+constexpr double taken_over_look_s = 0.5;  // how often a rank looks whether its blocks were taken over
+// After so long a rank that does not come is taken for stopped or dead, and the run ends: blocks on disk stay.
+constexpr double hung_after_s = 60, hung_after_blocks = 10, overdue_s = 30, hung_look_s = 5;
+constexpr int leaves_resumable = 3;
 constexpr std::int64_t stop_mark = std::int64_t{1} << 40U;  // beside the blocks done, which never come near it
 
 class Worker {
@@ -34,7 +43,12 @@ class Worker {
         if (!comm_.is_root() || comm_.size() <= ranks_worth_serving) {
             compute();
         }
-        comm_.wait_for_all([&] { show(); });
+        waits_since_ = looked_ = Clock::now();
+        comm_.wait_for_all([&] {
+            show();
+            take_over();
+            end_without_hung_ranks();
+        });
         return {comm_.is_root() ? done_.look() % stop_mark : 0, seconds_};
     }
 
@@ -47,7 +61,13 @@ class Worker {
             auto const begin = Clock::now();
             auto const blocks = next_blocks();
             auto rows = run_blocks(
-                what_.spec, what_.plan, blocks, seconds_, [&] { return keep_running(); }, what_.known);
+                what_.spec, what_.plan, blocks, seconds_, [&] { return keep_running() && !are_taken_over(blocks); },
+                what_.known);
+            if (!rows && are_there_) {
+                fresh_ += std::ssize(blocks);
+                are_there_ = false;
+                continue;
+            }
             stopped_ = !rows;
             for (std::size_t i = 0; i < blocks.size() && !stopped_; ++i) {
                 computed_.push_back({blocks[i], (*rows)[i].pack()});
@@ -110,6 +130,85 @@ class Worker {
         return stop_policy_.may_go_on();
     }
 
+    // Has another rank computed the blocks in hand? Only where none is left to be given out.
+    bool are_taken_over(std::span<std::int64_t const> blocks) {
+        if (comm_.size() == 1 || seconds_since(looked_) < taken_over_look_s) {
+            return are_there_;
+        }
+        looked_ = Clock::now();
+        are_there_ = given_.look() >= std::ssize(left_)
+                     && std::ranges::all_of(blocks, [&](std::int64_t block) { return is_sound(block); });
+        return are_there_;
+    }
+
+    [[nodiscard]] bool is_sound(std::int64_t block) const {
+        std::vector<std::string> ignored;
+        return !what_.shards.committed({block, block + 1}, ignored).empty();
+    }
+
+    // By the names of the files.
+    [[nodiscard]] std::vector<std::int64_t> not_on_disk() const {
+        auto const there = what_.shards.listed({left_.front(), left_.back() + 1});
+        std::vector<std::int64_t> missing;
+        std::ranges::set_difference(left_, there, std::back_inserter(missing));
+        return missing;
+    }
+
+    // While this rank waits: computes a block that a stopped or slow rank holds. Whoever commits it first, its bytes
+    // are the same; the rank that holds it counts it, and breaks it off when it finds it there.
+    void take_over() {
+        double const longest_s = stop_policy_.longest_block_s();
+        double const patience_s = longest_s > 0 ? std::max(least_patience_s, 2 * longest_s) : patience_untried_s;
+        if (stopped_ || left_.empty() || seconds_since(looked_) < patience_s || !stop_policy_.may_begin()) {
+            return;
+        }
+        looked_ = Clock::now();
+        ++looks_;
+        auto const done = done_.look();
+        auto const missing = done < stop_mark ? std::ssize(left_) - done : 0;
+        // Of many idle ranks about twice as many as blocks are missing look into the folder, other ones each time.
+        constexpr std::int64_t step = 40'503;
+        if (missing <= 0 || (comm_.rank() + looks_ * step) % comm_.size() >= 2 * missing) {
+            return;
+        }
+        auto const held = not_on_disk();
+        if (held.empty()) {
+            return;
+        }
+        auto const block = held[comm_.rank() % held.size()];
+        auto const blocks = std::span(&block, 1);
+        auto rows = run_blocks(
+            what_.spec, what_.plan, blocks, seconds_, [&] { return keep_running() && !are_taken_over(blocks); },
+            what_.known);
+        are_there_ = false;
+        if (rows) {
+            computed_.push_back({block, rows->front().pack()});
+            commit();
+            fresh_ = 0;  // whoever holds it counts it
+        }
+    }
+
+    // Ends all ranks where one does not come though nothing is left to be computed, or time is up.
+    void end_without_hung_ranks() {
+        double const waited_s = seconds_since(waits_since_);
+        double const most_s = std::max(hung_after_s, hung_after_blocks * stop_policy_.longest_block_s());
+        bool const overdue = stop_policy_.is_overdue(overdue_s);
+        if (!comm_.is_root() || comm_.size() == 1 || left_.empty() || (waited_s < most_s && !overdue)
+            || seconds_since(looked_for_hung_) < hung_look_s) {
+            return;
+        }
+        looked_for_hung_ = Clock::now();
+        auto const missing = not_on_disk().size();
+        if (missing > 0 && !overdue && !stopped_) {
+            return;
+        }
+        print_note(
+            "overturn: a rank has not answered for {:.0f} s (stopped, or its node is down): all ranks end, {} of {} "
+            "blocks of this run are on disk. Go on with the same command and --resume\n",
+            waited_s, left_.size() - missing, left_.size());
+        comm_.abort(leaves_resumable);
+    }
+
     // Puts what is computed to disk; stops where that cannot be.
     void commit() {
         auto const begin = Clock::now();
@@ -145,6 +244,10 @@ class Worker {
     std::int64_t group_ = 1;                    ///< blocks to be computed together
     std::int64_t fresh_ = 0;                    ///< on disk and not reported yet
     Clock::time_point reported_ = Clock::now(), committed_ = reported_;
+    Clock::time_point looked_ = reported_;  ///< for blocks that another rank computed, or holds
+    Clock::time_point waits_since_ = reported_, looked_for_hung_ = reported_;
+    std::int64_t looks_ = 0;
+    bool are_there_ = false;  ///< the blocks in hand, of another rank
     bool stopped_ = false;
 };
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <sstream>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -30,7 +31,7 @@ std::vector<std::int64_t> read_categories(Dataset const& dataset, std::string co
                                           std::int64_t count) {
     Datatype const type(checked(H5Dget_type(dataset.id()), "read a type"));
     auto const bytes = H5Tget_size(type.id());
-    validate(bytes >= 1 && bytes <= 2,
+    validate(bytes >= 1 && bytes <= sizeof(std::int64_t),
              "results file: {} holds names of {} bytes (it is not of this program). Run the "
              "campaign again",
              name, bytes);
@@ -51,8 +52,10 @@ std::vector<Category> stored_names(Dataset const& dataset) {
     auto const count = H5Tget_nmembers(type.id());
     for (unsigned member = 0; count > 0 && member < static_cast<unsigned>(count); ++member) {
         std::unique_ptr<char, herr_t (*)(void*)> const name(H5Tget_member_name(type.id(), member), &H5free_memory);
-        std::uint16_t number = 0;  // of one byte or two, little-endian
-        checked(H5Tget_member_value(type.id(), member, &number), "read a name's number");
+        std::vector<std::byte> value(H5Tget_size(type.id()));
+        checked(H5Tget_member_value(type.id(), member, value.data()), "read a name's number");
+        std::int64_t number = 0;  // little-endian, here and in the file
+        std::memcpy(&number, value.data(), std::min(value.size(), sizeof(number)));
         names.push_back({number, name ? name.get() : ""});
     }
     return names;

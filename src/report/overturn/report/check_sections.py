@@ -15,7 +15,10 @@ def by_hand(report):
     medians = [simulated.get((check["body"], report.results.measure), {"median": None})["median"] for check in report.fit["hand_check"]]
     rows = [[check["body"], report.amplitude(check["overturning_level"], 3), report.amplitude(median, 3)]
             for check, median in zip(report.fit["hand_check"], medians)]
-    return ("<h4>Calculation by hand</h4>" + paragraphs(lines)
+    unsafe = [check["body"] for check, median in zip(report.fit["hand_check"], medians)
+              if median is not None and check["overturning_level"] is not None and check["overturning_level"] > median]
+    warning = [report.notes["hand_unsafe"].format(bodies=", ".join(unsafe))] if unsafe else []
+    return ("<h4>Calculation by hand</h4>" + paragraphs(lines) + paragraphs(warning, " class=warning")
             + table("overturning by hand and simulated", ["body", "overturns above, by hand", "simulated median"], rows))
 
 

@@ -1,7 +1,7 @@
 """The first sheet of a report: what was asked, the answer, by which program from which file, and who signs."""
 
 from .limit_sections import answer_table
-from .page_parts import escape, paragraphs
+from .page_parts import escape, paragraphs, table
 
 
 def identity(report):
@@ -24,7 +24,12 @@ def signatures(report):
 
 def cover(report):
     answer = answer_table(report.data["answer"]) or paragraphs(report.data["headlines"])  # of a grid: no probabilities
-    changed = paragraphs([report.data["changed"]], " class=warning") if report.data["changed"] else ""
+    records = report.data["records"]
+    if records["rows"]:
+        answer += table("each recorded motion", records["head"], records["rows"])
+    failed = paragraphs([report.notes["check_failed"].format(**check) for check in report.data["checks"] if check["failed"]],
+                        " class=warning")
+    changed = failed + (paragraphs([report.data["changed"]], " class=warning") if report.data["changed"] else "")
     return (f"<p class=kind>Calculation package</p>\n<h1>{escape(report.results.title)}</h1>\n"
             f"<p class=question>{escape(report.data['cover']['question'])}</p>\n<div class=answer>{changed}{answer}</div>\n"
             f"<dl class=identity>{identity(report)}</dl>\n{signatures(report)}")

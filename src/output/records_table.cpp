@@ -1,0 +1,131 @@
+#include "output/records_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "campaign/limit_state.hpp"
+#include "output/answer.hpp"
+#include "response/registry.hpp"
+
+namespace overturn::output {
+namespace {
+
+constexpr double mm_per_m = 1e3;
+constexpr double degrees_per_rad = 180 / pi;
+
+std::string number_or_dash(double value) { return std::isnan(value) ? std::string("-") : fmt::format("{:.3g}", value); }
+
+// A signed response says how far it is from its limit: its nearness is the exponential of the metres beyond.
+std::string nearness_text(LimitState const& limit, double nearness) {
+    if (!limit.quantity.is_signed) {
+        return fmt::format("{:.3g} of", nearness);
+    }
+    auto const beyond_mm = mm_per_m * std::log(nearness);
+    return beyond_mm > 0 ? fmt::format("{:.3g} mm beyond", beyond_mm) : fmt::format("{:.3g} mm to", -beyond_mm);
+}
+
+// "1.3 of slides", "398 mm to touches": the limit that the response came nearest to. Of limits that only some models'
+// own columns tell nothing is known here. What fell passed them all, but those that leave it out.
+std::string nearest_limit(CampaignSpec const& spec, LimitJudge const& judge, TrialRow const& row) {
+    if (entry_of(row.verdict).fell) {
+        return "fell";
+    }
+    double most = -1;
+    std::size_t which = 0;
+    for (std::size_t limit = 1; limit < spec.limits.size(); ++limit) {
+        double const near = judge.nearness(limit, row, {});
+        if (near > most) {
+            most = near;
+            which = limit;
+        }
+    }
+    return which == 0 ? std::string("-")
+                      : fmt::format("{} {}", nearness_text(spec.limits[which], most),
+                                    said_name(spec.limits[which], spec.limits));
+}
+
+std::string model_name(TrialRow const& row) {
+    return row.model == unknown_category ? "unknown" : model_categories()[model_place(row.model)].name;
+}
+
+std::vector<TrialRow> at_answer_levels(CampaignSpec const& spec, std::span<TrialRow const> trials) {
+    auto const levels = answer_levels(spec.levels);
+    std::vector<TrialRow> rows;
+    std::ranges::copy_if(trials, std::back_inserter(rows), [&](TrialRow const& row) {
+        return std::ranges::find(levels, static_cast<std::size_t>(row.level)) != levels.end();
+    });
+    return rows;
+}
+
+}  // namespace
+
+RecordSheet record_sheet(CampaignSpec const& spec, std::span<TrialRow const> trials) {
+    RecordSheet sheet{{"record", "body", spec.levels.measure_label(), "verdict", "slip [mm]", "tilt [deg]", "model"},
+                      {}};
+    bool const limits = spec.limits.size() > 1;
+    if (limits) {
+        sheet.head.emplace_back("nearest limit");
+    }
+    LimitJudge const judge(spec.limits, ModelSelector(spec.effects, spec.accuracy));
+    for (auto const& row : at_answer_levels(spec, trials)) {
+        auto const& of = spec.bodies[row.body];
+        auto const& end = entry_of(row.verdict);
+        sheet.rows.push_back({spec.source->name(row.wave), of.name, spec.levels.text(row.amplitude),
+                              std::string(end.name), of.friction ? number_or_dash(mm_per_m * row.peak_slip_m) : "-",
+                              end.fell ? "fell" : number_or_dash(degrees_per_rad * row.peak_rotation_rad),
+                              model_name(row)});
+        if (limits) {
+            sheet.rows.back().push_back(nearest_limit(spec, judge, row));
+        }
+    }
+    return sheet;
+}
+
+std::string records_text(CampaignSpec const& spec, std::span<TrialRow const> trials) {
+    auto const sheet = record_sheet(spec, trials);
+    if (sheet.rows.empty()) {
+        return {};
+    }
+    std::vector<std::size_t> widths;
+    for (std::size_t c = 0; c < sheet.head.size(); ++c) {
+        widths.push_back(sheet.head[c].size());
+        for (auto const& row : sheet.rows) {
+            widths[c] = std::max(widths[c], row[c].size());
+        }
+    }
+    auto const line = [&](std::vector<std::string> const& cells) {
+        std::string text;
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            bool const number = sheet.head[c].ends_with(']');
+            auto const gap = c == 0 ? "" : "  ";
+            text += number ? fmt::format("{}{:>{}}", gap, cells[c], widths[c])
+                           : fmt::format("{}{:<{}}", gap, cells[c], widths[c]);
+        }
+        return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+    };
+    auto text = line(sheet.head);
+    for (auto const& row : sheet.rows) {
+        text += line(row);
+    }
+    return text;
+}
+
+Table records_table(CampaignSpec const& spec, std::span<TrialRow const> trials) {
+    auto const rows = at_answer_levels(spec, trials);
+    TableOf<TrialRow> table({.name = "records", .constants = {{"units", spec.levels.units()}}}, rows);
+    table.add("record", "1", "the recorded motion", [&](TrialRow const& row) { return spec.source->name(row.wave); })
+        .add("body", "1", "the body", [&](TrialRow const& row) { return spec.bodies[row.body].name; })
+        .add("amplitude", stated_unit(spec.levels.units()), "value of the level",
+             [](TrialRow const& row) { return row.amplitude; })
+        .add("verdict", "1", "how the trial ended",
+             [](TrialRow const& row) { return std::string(entry_of(row.verdict).name); })
+        .add("peak_slip", "m", "largest slip; NaN: not simulated",
+             [&](TrialRow const& row) { return spec.bodies[row.body].friction ? row.peak_slip_m : never; })
+        .add("peak_rotation", "rad", "largest rotation", [](TrialRow const& row) { return row.peak_rotation_rad; })
+        .add("model", "1", "the model that answered", [](TrialRow const& row) { return model_name(row); });
+    return table.take();
+}
+
+}  // namespace overturn::output
