@@ -32,7 +32,7 @@ struct AcceptanceRule {
 /// The rule of a campaign, and the use of waves that miss it.
 struct Acceptance {
     std::string rule = "none";
-    std::int64_t most_drawn = 1;  ///< so many waves are drawn at most for each one that is asked for
+    std::int64_t most_drawn = 1;  ///< largest number of waves drawn for each one requested
     bool uses_refused = false;    ///< measured motions that miss the rule are tried all the same
 
     [[nodiscard]] bool asked() const { return rule != "none"; }
@@ -81,7 +81,7 @@ struct MatchFacts {
     double worst_decade = 0;     ///< worst_decade_misfit
     double intensity_ratio = 0;  ///< spectral_intensity_ratio
     double judged_to_s = 0;      ///< longest judged period [s]
-    double defined_to_s = 0;     ///< longest period the rule asks for and the target has [s]
+    double defined_to_s = 0;     ///< longest period that the rule checks and the target has [s]
 };
 /// The clauses on a spectrum.
 [[nodiscard]] std::vector<Clause> spectrum_clauses(AcceptanceRule const& rule, MatchFacts const& facts);

@@ -109,8 +109,8 @@ class WaveSource {
     virtual void prepare(ShareRows const& share) const { (void)share; }
     /// \throws InputError if `wave` is not below available.
     [[nodiscard]] virtual GeneratedWave make(std::uint64_t seed, std::uint64_t wave) const = 0;
-    /// The motion that make gives, with no more said of it than costs no time: of waves that are not iterated no match,
-    /// of iterated ones what iteration knows anyway.
+    /// The motion that make gives, with only those figures that cost no time: no match for waves that are not iterated,
+    /// the figures of the iteration for others.
     [[nodiscard]] virtual GeneratedWave make_unjudged(std::uint64_t seed, std::uint64_t wave) const {
         return make(seed, wave);
     }

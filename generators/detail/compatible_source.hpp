@@ -67,7 +67,7 @@ class SpectrumCompatible : public WaveSource {
         SpectrumMatcher matcher;
         std::optional<double> correlation;  // stated, with the horizontal one
         double of_horizontal;               // ratio of the targets
-        double defined_to_s;                // how far a rule asks for the target
+        double defined_to_s;                // longest period of the target that a rule checks [s]
     };
 
     void add(ComponentKind const& kind, SpectrumMatcherInput const& input, std::optional<double> correlation,

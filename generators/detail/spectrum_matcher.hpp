@@ -72,7 +72,7 @@ class SpectrumMatcher {
     /// Periods the match is judged at, 100 a decade [s].
     [[nodiscard]] std::vector<double> const& periods_s() const { return judged_.period_s; }
 
-    /// Calibrates now, where that is asked for and was not done; else what needs it first does, alone.
+    /// Calibrates now, where that is requested and not done yet; else the first call that needs it does, alone.
     void prepare(ShareRows const& share) const;
     /// Match of the calibrating draws' median to the target; null if not calibrated.
     [[nodiscard]] MatchFigures const* median() const;
@@ -117,7 +117,7 @@ class SpectrumMatcher {
 
     SpectrumMatcherInput input_;
     NoiseLines noise_;                          // as the target asks for them
-    std::unique_ptr<Calibration> calibration_;  // null where none is asked for
+    std::unique_ptr<Calibration> calibration_;  // null where none is requested
     JudgedPeriods judged_;                      // pseudo-velocity, or V_E
     std::vector<SpectrumProbe> probes_;  // a rough one, and a close one: every second short period, every long one
     std::vector<std::size_t> unprobed_places_;  // periods of no probe

@@ -12,8 +12,8 @@ namespace overturn {
 struct RockingCapacity {
     double rotation_rad = 0;
     double spectral_mps2 = 0;  ///< SA_CAP = 2 g f1 / theta
-    double frequency_hz = 0;   ///< at which it is asked of the spectrum: f_e
-    double damping = 0;        ///< at which it is asked of the spectrum: beta_e [-]
+    double frequency_hz = 0;   ///< at which the spectrum is read: f_e
+    double damping = 0;        ///< of the spectrum: beta_e [-]
 };
 
 /// The equivalent oscillator of the rocking body at a peak rotation theta. With a = b / h:

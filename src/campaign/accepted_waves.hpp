@@ -47,7 +47,7 @@ class AcceptedWaves {
     Acceptance acceptance_;
     Plan const& drawn_;
     std::vector<bool> known_;           ///< blocks
-    std::vector<Wave> waves_;           ///< where a rule is asked
+    std::vector<Wave> waves_;           ///< where there is a rule
     std::vector<std::int64_t> missed_;  ///< waves that miss a clause, in the order of clause_names()
 };
 

@@ -61,9 +61,9 @@ struct IntensityMeasure {
     MaybeFunction<double(TrialRow const&)> of_trial = {};
     /// Value for the motion times a factor [SI]: gives /waves a column of this name, with a factor of 1
     MaybeFunction<double(GroundMotion const&, double scale)> of_motion = {};
-    /// Is of_motion proportional to the factor? Where it is not, /trials has a column of this name if it is asked for
+    /// Is of_motion proportional to the factor? Where it is not, /trials has a column of this name if it is requested
     bool linear = true;
-    bool criterion = false;                  ///< it is held against V_Ereq
+    bool criterion = false;                  ///< it is compared with V_Ereq
     bool drifts = false;                     ///< a baseline's drift is in it
     std::string_view other_unit_of = {};     ///< the measure that this is with R in the other unit
     std::optional<std::size_t> period = {};  ///< Sa: at this place of measures.sa_periods
@@ -293,7 +293,7 @@ inline constexpr auto trial_measures =
 [[nodiscard]] std::vector<std::pair<Measure, double>> measures_of(GroundMotion const& motion);
 /// Fills the columns that measures have in /waves.
 void measure_motion(GroundMotion const& motion, WaveRow& row);
-/// Fills those of a trial that the campaign asks for.
+/// Fills those of a trial that the campaign requests.
 void measure_scaled(std::span<Measure const> asked, GroundMotion const& motion, TrialRow& row);
 
 }  // namespace overturn

@@ -79,7 +79,7 @@ struct LimitOutcomes {
 inline constexpr std::size_t most_limits = 32;
 
 /// Holds rows to the limit states. A trial without a verdict decides none of them; one whose quantity is unknown
-/// decides none that hangs on it. `any` is passed as soon as one is, `all` is kept as soon as one is.
+/// decides none that depends on it. `any` is passed as soon as one is, `all` is kept as soon as one is.
 class LimitJudge {
   public:
     /// \param limits outlive it
@@ -91,7 +91,7 @@ class LimitJudge {
     /// not. It is the magnitude over its threshold (inverse for `below`), the largest of `any`, the smallest of `all`,
     /// the tilt over alpha for overturning. NaN where it is unknown.
     [[nodiscard]] double nearness(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const;
-    /// Does any limit hang on such a record?
+    /// Does any limit depend on such a record?
     [[nodiscard]] bool reads_extra() const;
 
   private:

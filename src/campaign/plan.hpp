@@ -44,7 +44,7 @@ class Plan {
     [[nodiscard]] bool has(std::int64_t number) const;
     /// One past the last number of a group that was drawn for the plan's waves.
     [[nodiscard]] std::int64_t drawn_until(std::int64_t group) const;
-    /// Waves that the campaign asks for in all, whatever had to be drawn for them.
+    /// Waves that the campaign requests in all, whatever had to be drawn for them.
     [[nodiscard]] std::int64_t asked() const { return count_ * groups(); }
     /// Waves that the plan was to have in each group; fewer than count() where the campaign ended early.
     [[nodiscard]] std::int64_t chosen_per_group() const { return chosen_per_group_; }
@@ -55,7 +55,7 @@ class Plan {
     /// One of waves that all levels share, or one for each level.
     [[nodiscard]] std::int64_t groups() const;
     [[nodiscard]] std::int64_t drawn_per_group() const { return drawn_per_group_; }
-    /// Waves of a group that the campaign asks for.
+    /// Waves of a group that the campaign requests.
     [[nodiscard]] std::int64_t count() const { return count_; }
 
     /// The wave's identity in every random stream. With independent waves those of a level are Level::key 10^9 + 0, 1,
@@ -88,7 +88,7 @@ class Plan {
   private:
     bool independent_;
     std::vector<std::int64_t> level_keys_;
-    std::int64_t count_;            ///< waves asked for, shared or per level
+    std::int64_t count_;            ///< waves requested, shared or per level
     std::int64_t drawn_per_group_;  ///< that may be drawn, shared or per level
     std::int64_t chosen_per_group_;
     std::int64_t waves_, bodies_, levels_per_wave_, block_size_, extra_bytes_;

@@ -44,7 +44,7 @@ struct StudyQuestion {
 /// \throws InputError that begins with the option, for a unit, number or word that cannot be
 void check_answer(StudyQuestion const& question, std::string const& answer);
 
-/// Each answer, then what they are together. \throws InputError also for what an answer is said of and is not there
+/// Each answer, then what they are together. \throws InputError also for an answer whose subject is not stated
 void check_answers(StudyAnswers const& answers);
 
 /// Options without which there is no study: "--mass", "--spectrum or --records".

@@ -48,7 +48,7 @@ struct PreparedWave {
                                   std::int64_t level, Observer* observer = nullptr);
 
 /// All trials of prepared waves, side by side, appended in order: each is bit-equal to run_trial's.
-/// \param keep_running asked now and then \return false if it said no: then `trials` is of no use
+/// \param keep_running called now and then \return false if it returned false: then `trials` is of no use
 /// \param known trials that are not computed again, or null
 bool append_trials(
     CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, TrialRows& trials,

@@ -14,10 +14,10 @@ namespace overturn {
 struct WaveCheck {
     WaveQuality quality;
     std::vector<MatchFigures> bands;  ///< one per body, over [T0, T1]; all 0 where the source has no target
-    std::vector<Clause> clauses;      ///< all the rule asks; empty without a rule
+    std::vector<Clause> clauses;      ///< all clauses of the rule; empty without a rule
 };
 
-/// Everything a rule asks of a wave, [T0, T1] of every body included.
+/// All clauses of a rule on a wave, including [T0, T1] of every body.
 [[nodiscard]] WaveCheck check_wave(GeneratedWave const& wave, std::vector<BodySpec> const& bodies,
                                    RadiusUnit radius_unit);
 

@@ -54,8 +54,8 @@ class CommandLine {
 
     [[nodiscard]] Verb verb(std::string const& name, std::string const& help);
 
-    /// Does what the arguments ask for. \return the exit code; what is wrong with them is said in one line, with what
-    /// was probably meant
+    /// Runs the verb of the arguments. \return the exit code; errors in the arguments are reported in one line, with
+    /// what was probably meant
     int run(int argc, char const* const* arguments);
 
   private:

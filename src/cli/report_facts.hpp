@@ -9,10 +9,10 @@
 
 namespace overturn::cli {
 
-/// Pairs of what is meant and what was asked for, or run of it.
+/// Pairs of a label and the value that was requested, or run.
 [[nodiscard]] nlohmann::ordered_json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& statistics);
 
-/// Pairs of what belongs to the method and how it was set: effects, validated range, integration.
+/// Pairs of a label and a setting of the method: effects, validated range, integration.
 [[nodiscard]] nlohmann::ordered_json method_of(CampaignSpec const& spec);
 
 }  // namespace overturn::cli

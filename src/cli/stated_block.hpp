@@ -1,4 +1,4 @@
-/// The block whose spectrum over pulses or sizes is asked for, stated by --alpha and --restitution or by --body.
+/// The block for a spectrum over pulses or sizes, stated by --alpha and --restitution or by --body.
 #pragma once
 
 #include <string>
@@ -14,8 +14,8 @@ namespace overturn::cli {
 /// Checked value of --restitution, from 0 to 1. \throws InputError
 [[nodiscard]] double stated_restitution(double value);
 
-/// A body file's, with its warnings on stderr. \param spectrum names what is asked for in messages: "a rocking
-/// spectrum" \throws InputError where it has slope, offset or initial tilt
+/// The body of a file, with its warnings on stderr. \param spectrum names the request in messages: "a rocking spectrum"
+/// \throws InputError where it has slope, offset or initial tilt
 [[nodiscard]] BodySpec symmetric_body(std::string const& file, char const* spectrum);
 
 }  // namespace overturn::cli

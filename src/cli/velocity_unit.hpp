@@ -14,7 +14,7 @@
 
 namespace overturn::cli {
 
-/// "m/s", or what the user asked for: kine.
+/// "m/s", or the user's unit: kine.
 struct VelocityUnit {
     static constexpr char const* usual = "m/s";
     std::string symbol = usual;

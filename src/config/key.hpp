@@ -36,15 +36,15 @@ enum class Form : unsigned {
 
 /// Value of an absent key.
 struct Default {
-    /// required: nothing is, the key must be there. none: its absence says something. value: what is stated here.
-    /// said: what the campaign's other keys make of it, in words.
+    /// required: nothing is, the key must be there. none: its absence says something. value: what is stated here. said:
+    /// a default that follows from other keys, in words.
     enum class Kind { required, none, value, said };
 
     Kind kind = Kind::required;
     std::optional<double> number = {};  ///< [SI]
     std::optional<std::int64_t> integer = {};
     std::optional<bool> boolean = {};
-    std::string_view words = {};  ///< a text, or what is said
+    std::string_view words = {};  ///< a text, or the default in words
 };
 
 /// A text that a key takes, and what it means.
@@ -89,7 +89,7 @@ struct Key {
         }
         return with(made);
     }
-    /// \param said what stands in for an absent key, where other keys decide it
+    /// \param said default of an absent key in words, where other keys decide it
     [[nodiscard]] constexpr Key otherwise_said(std::string_view said) const {
         return with({.kind = Default::Kind::said, .words = said});
     }
@@ -109,7 +109,7 @@ struct Key {
     [[nodiscard]] constexpr Key or_as(Key const& other) const {
         auto made = *this;
         made.forms |= other.forms;
-        // By the forms: under GCC's sanitizers an address held against nullptr is no constant expression.
+        // By the forms: under GCC's sanitizers an address compared with nullptr is no constant expression.
         made.words = other.takes(Form::word) ? other.words : words;
         made.tables = other.takes(Form::table) || other.takes(Form::tables) ? other.tables : tables;
         made.first = other.takes(Form::pairs) ? other.first : first;

@@ -27,7 +27,7 @@ enum class Kind { absent, number, text, boolean, list, table };
 
 /// Default, range and dimension of a number that are known only when it is read; its key describes the rest.
 struct Given {
-    std::optional<double> otherwise = {};     ///< [SI] of a key whose default is said in words
+    std::optional<double> otherwise = {};     ///< [SI] of a key whose default is stated in words
     std::optional<Range> range = {};          ///< within that of the key
     std::optional<Dimension> dimension = {};  ///< of a key whose unit is that of another
 };
@@ -69,7 +69,7 @@ class Table {
     [[nodiscard]] std::vector<std::pair<double, double>> pairs(Key const& key, Given const& given = {}) const;
     [[nodiscard]] std::int64_t integer(Key const& key, GivenInteger const& given = {}) const;
     [[nodiscard]] bool boolean(Key const& key) const;
-    /// \param otherwise of a key whose default is said in words; "" where an optional one is absent
+    /// \param otherwise of a key whose default is stated in words; "" where an optional one is absent
     [[nodiscard]] std::string text(Key const& key, std::string_view otherwise = {}) const;
     [[nodiscard]] std::vector<std::string> texts(Key const& key) const;
     /// \param entries the registry that the key's words are of

@@ -12,10 +12,10 @@ namespace overturn {
 
 [[nodiscard]] ModelTraits const& contact_traits();
 
-/// Called for where the base is not two corners, and by what a cheaper model said: a loss of contact, or, where
-/// base or pad are stated, a tilt of 0.3 alpha or a fall (below, 0 of 341 verdicts differed), or an impact that may
-/// crush the pad. A body of whose base and pad nothing is known gains nothing from a guess at them: on corners with the
-/// same restitution 4 of 640 verdicts differed, two each way.
+/// Required where the base is not two corners, and by the outcome of a cheaper model: a loss of contact, or, where base
+/// or pad are stated, a tilt of 0.3 alpha or a fall (below, 0 of 341 verdicts differed), or an impact that may crush
+/// the pad. A body of whose base and pad nothing is known gains nothing from a guess at them: on corners with the same
+/// restitution 4 of 640 verdicts differed, two each way.
 [[nodiscard]] std::unique_ptr<Model> make_contact_model(ContactAccuracy const& accuracy);
 
 /// The body on its points, as the model has it: friction is its own, where the trial simulates sliding.

@@ -19,7 +19,7 @@ template <class Of> struct UsualRange {
     std::string_view remedy;  ///< advice
 };
 
-/// A line for each number that lies outside: "<said> (<known>). <remedy>".
+/// Warning for each number outside, a line each: "<said> (<known>). <remedy>".
 template <class Of>
 [[nodiscard]] std::vector<std::string> unusual(Of const& of, std::span<UsualRange<Of> const> ranges) {
     std::vector<std::string> lines;

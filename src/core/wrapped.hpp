@@ -16,7 +16,7 @@ inline constexpr std::size_t line_width = 100;
 
 inline constexpr std::size_t label_width = 10;
 
-/// A label, and what is said under it, in lines of that width.
+/// A label, and its text below it, in lines of that width.
 [[nodiscard]] std::string labelled(std::string_view label, std::string_view text);
 
 }  // namespace overturn

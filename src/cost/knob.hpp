@@ -28,7 +28,7 @@ struct Knob {
     Acts acts = Acts::trials;
     std::vector<Setting> settings;
     std::optional<std::size_t> here = {};     ///< place of the campaign's setting; empty if no key states it
-    std::vector<std::string> reference = {};  ///< settings of the trials that its own are held against
+    std::vector<std::string> reference = {};  ///< settings of the trials that its own are compared with
 };
 
 /// The knobs this campaign has, each with the campaign's own position among its settings.

@@ -32,7 +32,7 @@ struct RareCost {
 
 /// Study of the first body at the level in the middle: crude sampling by the binomial law, the pulse mixture where
 /// waves are linear in their normals, and subset simulation, each at several efforts. Pure, except for the seconds.
-/// \param done receives the share of the work that is done \pre the campaign asks for rare events
+/// \param done receives the share of the work that is done \pre the campaign has rare events
 [[nodiscard]] RareCost study_rare(CampaignSpec const& spec, std::function<void(double)> const& done);
 
 }  // namespace overturn::cost

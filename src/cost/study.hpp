@@ -48,10 +48,10 @@ struct Study {
     StepError step_error;          ///< of every quantity of limits
     std::vector<KnobResult> knobs;
     Sampling sampling;
-    std::optional<RareCost> rare;  ///< where the campaign asks for rare events
+    std::optional<RareCost> rare;  ///< where the campaign has rare events
     Balance balance;
     std::string sentence;
-    bool is_grid = false;  ///< its waves are a grid and no sample: nothing is said of sampling
+    bool is_grid = false;  ///< its waves are a grid and no sample: no results on sampling
 };
 
 struct StudyOptions {

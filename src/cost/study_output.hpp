@@ -14,7 +14,7 @@ namespace overturn::cost {
 [[nodiscard]] std::string study_text(Study const& study);
 
 /// Everything: the study in one row, rounding, knobs and the settings of each, what steps do, the number of waves (no
-/// row of a grid), and rare events where the campaign asks for them.
+/// row of a grid), and rare events where the campaign has them.
 [[nodiscard]] std::vector<output::Table> study_tables(Study const& study);
 
 /// Writes the tables. Times make no two of these files the same: it is a format of its own. \throws SystemError if it

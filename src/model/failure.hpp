@@ -1,4 +1,4 @@
-/// Why a trial has no verdict: said by whoever could not go on, never guessed from its numbers.
+/// Why a trial has no verdict: stated by the function that could not go on, never guessed from numbers.
 #pragma once
 
 #include <cstdint>

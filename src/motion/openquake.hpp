@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// A hazard curve of an export, and what is to be said of it.
+/// A hazard curve of an export, and remarks on it.
 struct OpenQuakeHazard {
     /// The curve as two columns, "sa(1 s) [g], annual_exceedance": the frequency of a Poisson process, -ln(1 - poe) /
     /// t, where poe is the probability of exceedance in the investigation time t that the first line states. Levels of

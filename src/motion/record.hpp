@@ -58,7 +58,7 @@ struct RecordFormat {
     TableFormat const* table = nullptr;                       ///< in place of the two above where a description does
 };
 
-/// All formats, in the order in which "auto" asks them.
+/// All formats, in the order in which "auto" tries them.
 [[nodiscard]] std::span<config::Entry<RecordFormat> const> record_formats();
 
 }  // namespace overturn

@@ -10,7 +10,7 @@
 
 namespace overturn {
 
-/// Reads records from files. Folders are looked through once, when ComponentChoice::station first asks for them.
+/// Reads records from files. Folders are looked through once, when ComponentChoice::station first needs them.
 class StationFiles {
   public:
     explicit StationFiles(InputFiles& files) : files_(&files) {}

@@ -13,7 +13,7 @@ namespace overturn::output {
 
 /// Whose curves they are.
 struct CurvesOf {
-    std::string body;  ///< empty: of a table that is nobody's campaign
+    std::string body;  ///< empty: of a table without a campaign
     std::string limit = overturning_limit;
     double confidence = 0.95;
 };

@@ -12,7 +12,7 @@ namespace overturn::output {
 /// The curves of every body by every limit state; of waves on a grid its map.
 [[nodiscard]] std::string curves_text(std::span<BodyAnalysis const> bodies, double confidence);
 
-/// One list of fits; also of tables that are nobody's campaign.
+/// One list of fits; also of tables without a campaign.
 [[nodiscard]] std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence);
 
 }  // namespace overturn::output

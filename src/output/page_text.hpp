@@ -34,7 +34,7 @@ namespace overturn::output {
 [[nodiscard]] std::string wave_title(std::int64_t number, bool telling);
 
 /// Number of bodies whose histories are drawn, where it is not all of them, and the bodies that did not move at the
-/// design basis, so that no history of it is drawn. Empty where neither is to be said.
+/// design basis, so that no history of it is drawn. Empty where there is neither.
 [[nodiscard]] std::string histories_text(std::size_t shown, std::size_t bodies,
                                          std::vector<std::string> const& at_rest_at_design_basis);
 

@@ -1,4 +1,4 @@
-/// Tables in a results file: written, and held against what a file has.
+/// Tables in a results file: written, and compared with those of a file.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-/// Printed results: the answer, and the sections that a user asks for.
+/// Printed results: the answer, and the sections that a user requests.
 #pragma once
 
 #include <optional>
@@ -25,9 +25,9 @@ struct TextOptions {
     bool full = false;                             ///< all of them
     std::optional<IntensityUnit> velocities = {};  ///< in which velocities are printed; none: the levels' unit, or m/s
 
-    /// Is it asked for by name?
+    /// Is it requested by name?
     [[nodiscard]] bool names(std::string_view section) const;
-    /// Is it asked for? What is dear to compute and printed nowhere else waits for that.
+    /// Is it requested? Costly results that are printed nowhere else are computed only then.
     [[nodiscard]] bool wants(std::string_view section) const { return full || names(section); }
 };
 /// \throws InputError for a name that is no section's
@@ -46,7 +46,7 @@ struct Printed {
     std::string file = {};   ///< the results file, as the user names it
 };
 
-/// The answer, what must be known of it, and the sections that were asked for.
+/// The answer, its remarks, and the requested sections.
 [[nodiscard]] std::string results_text(Printed const& printed, TextOptions const& options);
 
 }  // namespace overturn::output

@@ -14,7 +14,7 @@ namespace overturn::output {
 /// `stripes` of one body and limit state, a row per level.
 [[nodiscard]] Table stripe_table(CampaignSpec const& spec, BodyStatistics const& body, std::size_t limit,
                                  double confidence);
-/// `stripes` of a table that is nobody's campaign.
+/// `stripes` of a table without a campaign.
 [[nodiscard]] Table stripe_table(std::span<Stripe const> stripes, double confidence);
 /// `models`: trials per model that answered them.
 [[nodiscard]] Table model_table(BodyStatistics const& body);

@@ -16,7 +16,7 @@ namespace overturn::output {
 [[nodiscard]] std::string stripes_text(CampaignSpec const& spec, Statistics const& statistics,
                                        std::optional<IntensityUnit> const& velocities = {});
 
-/// Stripes of a table that is nobody's campaign. \param amplitude what heads its column \param full all of them
+/// Stripes of a table without a campaign. \param amplitude heading of its column \param full all of them
 [[nodiscard]] std::string table_stripes_text(std::string const& amplitude, std::span<Stripe const> stripes,
                                              double confidence, bool full);
 

@@ -8,7 +8,7 @@
 
 namespace overturn::output {
 
-/// To be asked before any work. \throws InputError if this program was built without the library, or a sheet has more
+/// To be called before any work. \throws InputError if this program was built without the library, or a sheet has more
 /// rows or columns than Excel holds (1 048 576 and 16 384)
 void require_workbook(std::span<Sheet const> sheets);
 

@@ -1,4 +1,4 @@
-/// One thing that an installation must show: a number found here, held against one that is known.
+/// One thing that an installation must show: a number found here, compared with a known one.
 #pragma once
 
 #include <string>

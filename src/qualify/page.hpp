@@ -17,7 +17,7 @@ struct Qualification {
     std::string program, machine, compiler, libraries, mpi, folder;
     int ranks = 1;
     std::string date = {};   ///< as the user states it; empty: none
-    bool published = false;  ///< held against what others printed
+    bool published = false;  ///< compared with published results
 
     [[nodiscard]] bool passed() const;
 };

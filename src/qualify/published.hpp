@@ -1,4 +1,4 @@
-/// This program held against results of others: each row a result, its source, its number, ours, and what decides the
+/// Comparison with published results: each row has a result, its source, its number, ours, and the cause of the
 /// difference. A minute at most.
 #pragma once
 

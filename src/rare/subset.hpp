@@ -16,7 +16,7 @@ struct SubsetOptions {
     double first_step = 0.5;  ///< s: x' = sqrt(1 - s^2) x + s xi
     double wanted_acceptance = 0.44;
     std::int64_t most_growth =
-        4;  ///< replicates are added up to so many times those asked for, until the c.o.v. is met
+        4;  ///< replicates are added up to so many times those requested, until the c.o.v. is met
 };
 
 /// A state of a chain by its descent: x of a root is its draw, of others sqrt(1 - s^2) x(parent) + s draw, rounded to

@@ -9,7 +9,7 @@
 
 namespace overturn::report {
 
-/// \throws InputError unless `output` ends in .svg, .png or .pdf: to be asked before any work
+/// \throws InputError unless `output` ends in .svg, .png or .pdf: to be called before any work
 void check_figure_name(std::filesystem::path const& output);
 
 /// Runs `script` (of overturn/report) on `data` and puts the figure at `output`; equal data give equal bytes. The

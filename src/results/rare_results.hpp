@@ -23,7 +23,7 @@ inline constexpr std::string_view between_tries = "; then ";
 /// from, of all replicates; subset-N, the factor.
 void write_rare_record(store::ResultsWriter& file, CampaignSpec const& spec, std::span<RareBody const> bodies);
 
-/// The estimates alone. Empty where the campaign asked for none.
+/// The estimates alone. Empty where the campaign has no rare events.
 [[nodiscard]] std::vector<RareBody> read_rare_estimates(store::ResultsReader const& file, CampaignSpec const& spec);
 
 }  // namespace overturn

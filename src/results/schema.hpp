@@ -20,7 +20,7 @@ namespace overturn {
 [[nodiscard]] store::TableSpec wave_table(CampaignSpec const& spec);
 /// /refused_waves: those that missed waves.acceptance, with the columns of /waves. They are no trials.
 [[nodiscard]] store::TableSpec refused_wave_table(CampaignSpec const& spec);
-/// /waves/<body>: the energy measures for the body of that number; those with R in the other unit where asked for.
+/// /waves/<body>: the energy measures for the body of that number; those with R in the other unit where requested.
 [[nodiscard]] store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body);
 /// The column of /stripes/<body> that counts a verdict, "contact-lost": "contact_lost".
 [[nodiscard]] std::string column_of(std::string_view verdict);

@@ -77,7 +77,7 @@ class Statistics {
     [[nodiscard]] MissedClauses const& missed_clauses() const { return missed_clauses_; }
     /// Scatter of the waves, where targets are drawn.
     [[nodiscard]] std::optional<AchievedSigma> achieved_sigma() const { return sigma_.achieved(waves_.missed); }
-    /// Do limit states hang on what models have to say of their own?
+    /// Do limit states depend on extra quantities of models?
     [[nodiscard]] bool reads_extra() const { return judge_.reads_extra(); }
     /// Trials whose waves were added too.
     [[nodiscard]] MeasuredTrials const& measured() const { return measured_; }

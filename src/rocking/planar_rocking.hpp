@@ -118,7 +118,7 @@ class RockingObserver {
 ///
 /// \pre block quantities are positive, alpha < pi/2, restitution in [0, 1]; components agree in length; friction stays
 ///      below painleve_bound
-/// \throws InputError if the accuracy asks for an order that is not offered, or for slip or differing corners of the
+/// \throws InputError if the accuracy states an order that is not offered, or for slip or differing corners of the
 /// linearised block
 [[nodiscard]] RockingOutcome simulate_rocking(RockingBlock const& block, Excitation const& shaking,
                                               RockingAccuracy const& accuracy = {}, RockingStart const& start = {},

@@ -39,8 +39,8 @@ struct OutputRequest {
 /// Every rank writes, so every node has to see the folder. Collective. \throws InputError on every rank if one does not
 void require_shared(store::ShardFolder const& shards, std::string const& key, parallel::Communicator const& comm);
 
-/// The part's blocks that an earlier run left behind, in rising order, each read and hashed by one of the ranks; what
-/// is reused and what is not sound is said on stderr, and where room is short. Collective; all ranks see the folder.
+/// The part's blocks that an earlier run left behind, in rising order, each read and hashed by one of the ranks; reused
+/// and damaged blocks are reported on stderr, and a lack of space. Collective; all ranks see the folder.
 /// \throws InputError on every rank if there are some and `resume` is off, CollectiveError if they cannot be listed
 [[nodiscard]] std::vector<std::int64_t> take_blocks(std::filesystem::path const& output,
                                                     store::ShardFolder const& shards, Plan const& plan,

@@ -13,7 +13,7 @@
 
 namespace overturn {
 
-/// One rank's seconds and what its numbers hang on (libm, vector lanes), to be gathered.
+/// One rank's seconds, libm and vector lanes, to be gathered.
 [[nodiscard]] std::string seconds_text(parallel::Communicator const& comm, PhaseSeconds const& seconds);
 
 /// The models of all ranks, from their seconds_text.
@@ -23,7 +23,7 @@ namespace overturn {
 [[nodiscard]] std::string segment_text(Part part, std::vector<std::string> const& ranks, double wall_s,
                                        std::int64_t trials);
 
-/// Beside `output`, of all its segments. A failure is said on stderr and no more: the results do not depend on it.
+/// Beside `output`, of all its segments. A failure is only reported on stderr: the results do not depend on it.
 void write_runtime(std::filesystem::path const& output, std::span<std::string const> segments);
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-/// A finished file held against what this program computes, row by row and bit by bit.
+/// Comparison of a finished file with this program's rows, bit by bit.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-/// Standards' rules that convert a response spectrum from one damping ratio to another. Never applied unless asked for.
+/// Standards' rules that convert a response spectrum from one damping ratio to another. Never applied unless requested.
 #pragma once
 
 #include <span>

@@ -26,7 +26,7 @@ struct WindowEnergy {
     double ou_v_e_mps = 0;          ///< whole wave, ouV_E^2 = int f V_E0^2 dT, f = 2 (T1-T)/(T1-T0)^2 [m/s]
     double v_wes_max_mps = 0;       ///< largest V_WES, also while the wave leaves the window after its end [m/s]
     double v_wes_time_s = 0;        ///< when it was first reached [s]
-    std::vector<double> v_wes_mps;  ///< if asked for: at every sample and for T0 + T1 after [m/s]
+    std::vector<double> v_wes_mps;  ///< if requested: at every sample and for T0 + T1 after [m/s]
 };
 
 /// The window is T1 rounded to whole samples (at least one), cut at the start of the wave; after the wave the ground is

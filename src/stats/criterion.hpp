@@ -38,15 +38,15 @@ struct RatioQuantiles {
 
 struct CriterionStudy {
     Confusion counts;
-    Share safe_but_overturned;           ///< of all trials said safe: the share that must be 0
+    Share safe_but_overturned;           ///< of all trials predicted safe: the share that must be 0
     Share safe_uplifted_but_overturned;  ///< of trials that uplifted: no other tests the criterion
     Share overturned_said_safe;          ///< of all trials that overturned
     Share unsafe_but_stood;              ///< of all trials predicted unsafe: the false alarms
     Share stood_said_unsafe;             ///< of all trials that stood
-    /// Waves with a trial said safe: the share of them in which one of these overturned. Trials of one wave are not
+    /// Share of the waves with a trial predicted safe in which such a trial overturned. Trials of one wave are not
     /// independent, waves are.
     Share waves_safe_but_overturned;
-    Share waves_safe_uplifted_but_overturned;         ///< the same of waves with a trial said safe that uplifted
+    Share waves_safe_uplifted_but_overturned;         ///< the same for trials that uplifted
     std::optional<RatioQuantiles> at_overturning;     ///< all trials that overturned
     std::optional<RatioQuantiles> first_overturning;  ///< of each wave the lowest ratio that overturned
     std::optional<RatioQuantiles> highest_standing;   ///< of each wave the highest ratio that stood

@@ -62,7 +62,7 @@ enum class FragilityState : std::uint8_t {
     not_rising = 6,     ///< the most likely curve falls, or its rise may be chance
     not_converged = 7,  ///< the solver gave up: ours to mend
     grid = 8,           ///< the waves are points of a grid and no sample: nothing was fitted
-    undecided = 9,      ///< too many trials have no verdict: where the median lies hangs on what they would have done
+    undecided = 9,      ///< too many trials have no verdict: the median depends on what they would have done
 };
 
 /// State by the data alone, before any fit: fitted and not_rising are not yet distinguished.

@@ -67,7 +67,7 @@ struct AnnualFrequency {
     std::vector<HazardPart> parts;  ///< between the points of the curve, which it is the sum of
     /// Motions beyond the last point add between P(last) and all of its exceedances [1/a].
     double beyond_least = 0, beyond_most = 0;
-    double at_first = 0;  ///< P at the first point: weaker motions, of which nothing is said, pass no more often
+    double at_first = 0;  ///< P at the first point: weaker motions, which the curve does not cover, pass no more often
 };
 
 /// The integral of P(a) |d exceedance / da|, exact for a lognormal fragility over each straight piece (by parts, the

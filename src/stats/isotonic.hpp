@@ -1,4 +1,4 @@
-/// The estimate that asks only that P does not fall with intensity, and whether the data allow even that.
+/// The estimate that assumes only that P does not fall with intensity, and whether the data allow even that.
 #pragma once
 
 #include <span>

@@ -32,7 +32,7 @@ struct JointPair {
 
 struct JointBodies {
     /// Per level: trials of all bodies together, `overturned` if any did; undecided where none did and one was not
-    /// decided. Its interval asks for independent waves, of bodies it asks nothing.
+    /// decided. Its interval requires independent waves, not independent bodies.
     std::vector<Stripe> any;
     std::vector<double> if_independent;  ///< 1 - product of (1 - P) of the bodies' own proportions; NaN: not known
     std::vector<JointPair> pairs;

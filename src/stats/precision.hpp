@@ -1,4 +1,4 @@
-/// When is enough known? Targets for the width of what a campaign is asked for.
+/// Targets for the precision of a campaign's results.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,7 @@
 
 namespace overturn {
 
-/// Half widths at the campaign's confidence; empty: not asked.
+/// Half widths at the campaign's confidence; empty: no target.
 struct PrecisionTarget {
     std::optional<double> half_width;         ///< of P, at every stripe: (upper - lower) / 2 of its exact interval
     std::optional<double> median_half_width;  ///< of the fitted median: (upper - lower) / 2 over the median

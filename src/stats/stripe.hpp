@@ -29,10 +29,10 @@ struct Stripe {
 struct Confusion {
     std::int64_t false_safe = 0;     ///< predicted safe, overturned: the count that matters
     std::int64_t false_alarm = 0;    ///< predicted unsafe, did not overturn
-    std::int64_t true_safe = 0;      ///< said safe, stood
+    std::int64_t true_safe = 0;      ///< predicted safe, stood
     std::int64_t true_overturn = 0;  ///< predicted unsafe, overturned
 
-    std::int64_t undecided_safe = 0;    ///< said safe, no verdict
+    std::int64_t undecided_safe = 0;    ///< predicted safe, no verdict
     std::int64_t undecided_unsafe = 0;  ///< predicted unsafe, no verdict
 
     void add(bool said_safe, bool overturned);

@@ -91,7 +91,7 @@ struct ColumnMeaning {
     std::int64_t rows = 0;  ///< -1: it holds texts, or does not run along one axis
 };
 
-/// Is a file held against what was written?
+/// Check of a file against its seal.
 enum class Trust {
     sealed,     ///< every byte must be as it was written
     unverified  ///< whatever it says: for those who edit on purpose, and who have just written it
@@ -110,9 +110,9 @@ class ResultsReader {
     ResultsReader(ResultsReader&&) = delete;
     ResultsReader& operator=(ResultsReader&&) = delete;
 
-    /// Was it held against what was written when it was opened?
+    /// Was it checked against its seal when it was opened?
     [[nodiscard]] bool is_sealed() const { return trust_ == Trust::sealed; }
-    /// Is it as it was written? Reads all of it where that was not asked for.
+    /// Is it as it was written? Reads all of it if it was opened unchecked.
     [[nodiscard]] bool is_as_written() const;
 
     [[nodiscard]] std::string text(std::string const& name) const;

@@ -1,4 +1,4 @@
-/// Known rows held against what was made anew.
+/// Known rows, compared with the wave and body as made now.
 #pragma once
 
 #include <cstddef>

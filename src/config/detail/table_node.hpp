@@ -44,7 +44,7 @@ struct Table::Node {
     std::shared_ptr<Ledger> ledger = {};
     std::string ledger_path = {};                 // as `path`, of a file that a table names below that table
     int depth = 0;                                // of files that name files
-    Origin inherited = {};                        // of every value that is not said to come from elsewhere
+    Origin inherited = {};                        // of every value that states no other origin
     std::vector<KeyTable const*> described = {};  // one of them says what keys there are; empty: nothing does
 
     [[nodiscard]] toml::node const* find(std::string_view key) {

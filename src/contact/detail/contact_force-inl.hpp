@@ -15,7 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace overturn::contact::HWY_NAMESPACE {
 
-/// \tparam Points of the base; 0: as many as are said
+/// \tparam Points of the base; 0: as many as the argument states
 template <class V, int Stride, int Points> class ContactForce {
   public:
     using M = typename V::Mask;

@@ -10,7 +10,7 @@
 namespace overturn::output {
 
 /// `acceptance` (one row: how many were drawn and refused) and `missed_clauses` (what they missed, by component and
-/// period). Without rows where no rule is asked.
+/// period). Without rows where there is no rule.
 [[nodiscard]] std::vector<Table> acceptance_tables(CampaignSpec const& spec, Statistics const& statistics,
                                                    double confidence);
 

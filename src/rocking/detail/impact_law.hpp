@@ -1,4 +1,4 @@
-/// The base impact as a law: what it makes of rotation and slip, and what it asks of friction.
+/// The law of the base impact: rotation and slip after it, and the friction that it needs.
 #pragma once
 
 #include <cmath>

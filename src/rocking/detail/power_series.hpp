@@ -1,4 +1,4 @@
-/// Power series in the time since a step's start, cut after as many terms as the order asks for.
+/// Power series in the time since a step's start, with as many terms as the order states.
 #pragma once
 
 #include <algorithm>

@@ -30,8 +30,7 @@ struct RockingSetup {
     Incline incline;
     std::array<Corner, 2> corners;
     double top;  ///< energy that tips the weaker corner over, over its m g R
-    /// mu_s as sticking is held against it, a little larger: friction that is just enough holds, whatever rounding
-    /// says.
+    /// Limit of sticking, a little above mu_s: friction that is just enough holds in spite of rounding.
     double hold_friction;
     /// Its steps without slip are left to step_lanes: the accuracy is theirs, and so are the inertia ratios.
     bool uses_lanes;

@@ -54,7 +54,7 @@ class EarlierRows {
     std::vector<std::pair<std::int64_t, std::int64_t>> places_;  ///< by identity
 };
 
-/// Rows of a finished file, whoever vouches for its seal.
+/// Rows of a finished file; its caller has checked the seal.
 class FinishedRows : public EarlierRows {
   public:
     explicit FinishedRows(std::filesystem::path const& output);
@@ -100,7 +100,7 @@ class KeptRows : public KnownTrials {
     struct Source {
         std::unique_ptr<EarlierRows> rows;
         std::vector<std::optional<std::int64_t>> bodies, levels;
-        bool whole = false;  ///< all bodies drawn alike, and what is said of waves hangs on no other
+        bool whole = false;  ///< all bodies drawn alike, and rows of waves depend on no other body
     };
     /// The last waves that were read of one of them.
     struct Read {

@@ -34,7 +34,7 @@ struct KeptPlaces {
 };
 
 /// Commits each block of the plan all of whose rows are known, by the finished file or by blocks that were set aside,
-/// unless it is committed. Before the first of each place, the rows of one wave are computed again and held against it.
+/// unless it is committed. Before the first of each place, the rows of one wave are computed again and compared.
 /// \throws InputError if these rows differ
 [[nodiscard]] KeptPlaces take_known_blocks(std::filesystem::path const& output, CampaignInput const& input,
                                            CampaignSpec const& spec, Plan const& plan,

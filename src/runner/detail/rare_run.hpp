@@ -13,7 +13,7 @@
 namespace overturn {
 
 /// Nothing if it was time to go before the last stage: with --resume it goes on there. The same on every rank, whatever
-/// their number. Collective. \pre the campaign asks for rare events
+/// their number. Collective. \pre the campaign has rare events
 /// \throws CollectiveError on every rank if rank 0 cannot commit
 [[nodiscard]] std::optional<std::vector<RareBody>> run_rare(CampaignSpec const& spec, store::ShardFolder const& shards,
                                                             StopPolicy& stop_policy,

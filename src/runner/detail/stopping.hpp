@@ -31,7 +31,7 @@ struct TargetLook {
                                         store::ShardFolder const& shards);
 
 /// The waves that count, of what is committed: those up to the first stopping point that meets the target, or all that
-/// the campaign asks for; nothing where `waves` wants more for that.
+/// the campaign requests; empty where `waves` needs more for that.
 [[nodiscard]] std::optional<Plan> chosen_of(CampaignSpec const& spec, Plan const& drawn, AcceptedWaves const& waves,
                                             store::ShardFolder const& shards);
 

@@ -18,7 +18,7 @@ namespace overturn {
 [[nodiscard]] bool tells_of_spectrum(std::string_view words);
 
 struct JsonClaim {
-    std::string text;  ///< "units: g", "damping 0.02", "component: vertical"; empty: nothing is said of the spectrum
+    std::string text;  ///< "units: g", "damping 0.02", "component: vertical"; empty: no statement on the spectrum
     std::string period_unit;  ///< "ms", where it says that
 };
 

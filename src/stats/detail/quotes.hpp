@@ -1,4 +1,4 @@
-/// P where it is asked for: of the curve, of the stripe right there, or a bound.
+/// P at requested intensities: of the curve, of the stripe right there, or a bound.
 #pragma once
 
 #include "stats/detail/curve_fit.hpp"
