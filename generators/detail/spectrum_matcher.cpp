@@ -253,7 +253,7 @@ SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& st
     constexpr double accept_margin = 1.05;  // probes leave periods out: near the border the exact spectrum decides
     std::optional<Component> best;
     double best_shortfall = 0;
-    std::optional<Probed> nearest;  // of all, as far as the probes can tell
+    std::optional<Probed> nearest;  // of all, by the probes
     auto envelope = noise_.envelope();
     for (int iteration = 0;; ++iteration) {
         bool const last = iteration == input_.iterations;

@@ -230,7 +230,7 @@ BodySpec read_body(Table const& table, InputFiles& files) {
     auto spec = config::with_all_faults(inner, [&] {
         auto stated = read_stated(inner, inner.text(body_keys["name"], "body"), points_across);
         if (!table.has("restitution") && !table.has("base")) {
-            settle(inner, stated);  // what is wrong with the file alone is told there
+            settle(inner, stated);  // faults of the file alone are reported there
         }
         return stated;
     });

@@ -175,7 +175,7 @@ constinit config::KeyTable const campaign_table{.meaning = "the campaign itself"
 
 namespace {
 
-// What needs nothing of the other tables; each tells its own faults.
+// Tables that need nothing of the others; each reports its own faults.
 void read_apart(Table const& root, InputFiles& files, CampaignSpec& spec) {
     config::FaultGatherer faults;
     faults.run([&] {

@@ -54,7 +54,7 @@ class StudyText {
     void choose(char const* key, std::string const& value, std::string const& what) {
         text_ += fmt::format("# assumed: {}\n{} = {}\n", what, key, value);
     }
-    /// \param what "120 s, because ...": what follows is told as the source
+    /// \param what "120 s, because ...": the text behind "because" is stated as the source
     void assume(char const* key, std::string const& value, std::string const& what) {
         choose(key, value, what);
         constexpr std::string_view because = ", because ";

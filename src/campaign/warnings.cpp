@@ -127,7 +127,7 @@ void add_motions(CampaignSpec const& spec, Lines& lines) {
     for (std::uint64_t wave = 0; wave < count; ++wave) {
         for (auto const& line : warnings_of(spec.source->make(spec.seed, wave).motion)) {
             lines.push_back(fmt::format("record {}: {}", wave, line));
-            return;  // the first tells enough
+            return;  // the first is enough
         }
     }
 }

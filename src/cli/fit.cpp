@@ -90,7 +90,7 @@ int print_refit(FitOptions const& options, store::ResultsReader const& file, Cam
     return differs ? refitted_otherwise : done;
 }
 
-// All that is told of a file, whether as JSON or as tables.
+// All output on a file, as JSON or as tables.
 struct Fitted {
     double confidence;
     std::vector<BodyAnalysis> analysis;

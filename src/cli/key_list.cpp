@@ -34,7 +34,7 @@ std::string title_of(PlacedTable const& placed) {
     return heading.empty() ? std::string("outermost keys") : heading;
 }
 
-// What tells a table from others in its place has one word here.
+// The key that distinguishes a table from others in its place has one word here.
 std::string takes_in(config::KeyTable const& table, Key const& key) {
     return !table.word.empty() && key.name == table.chosen_by ? std::string(table.word) : takes_text(key);
 }

@@ -14,7 +14,7 @@ std::vector<Key const*> KeyTable::every_key() const {
             theirs.insert(theirs.end(), more.begin(), more.end());
         }
     }
-    // What tells tables of one place apart is said first.
+    // The key that distinguishes tables of one place comes first.
     auto& every = chosen_by.empty() ? own : theirs;
     auto const& rest = chosen_by.empty() ? theirs : own;
     every.insert(every.end(), rest.begin(), rest.end());

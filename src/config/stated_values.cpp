@@ -17,7 +17,7 @@ std::string below(std::string const& path, std::string_view key) {
     return path.empty() ? std::string(key) : fmt::format("{}.{}", path, key);
 }
 
-// Numbers by the fewest digits that tell them apart.
+// Numbers by the fewest digits that distinguish them.
 std::string text_of(toml::node const& node) {
     if (auto const* const list = node.as_array()) {
         std::string text;

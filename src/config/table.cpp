@@ -89,7 +89,7 @@ template <class Read> auto read_key(Table const& table, std::string_view key, to
     }
 }
 
-/// \param node as written, which is told as well: "-3 t" where the value is -3000 kg
+/// \param node as written, which is printed as well: "-3 t" where the value is -3000 kg
 void check_range(double value, toml::node const& node, Range const& range, Dimension dimension) {
     if (range.holds(value)) {
         return;

@@ -85,7 +85,7 @@ std::optional<bool> is_met(Key const& of, toml::table const& table, std::span<Ke
     return where.empty() ? std::optional(met) : std::nullopt;
 }
 
-/// Those that may stand here, as far as the key that tells them apart says it.
+/// Tables that may stand here, by the key that distinguishes them.
 std::vector<KeyTable const*> narrowed(std::vector<KeyTable const*> const& tables, toml::table const& table) {
     std::vector<KeyTable const*> chosen;
     for (auto const* one : tables) {

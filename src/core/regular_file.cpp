@@ -47,7 +47,7 @@ class Opened {
     Opened(Opened&&) = delete;
     Opened& operator=(Opened&&) = delete;
 
-    // A size that is told may be false (a file that grows, one that the system makes up), so reading stops by itself.
+    // A reported size may be false (a file that grows, one that the system makes up), so reading stops by itself.
     [[nodiscard]] std::string read(std::size_t most) const {
         struct stat there {};
         if (::fstat(fd_, &there) != 0) {

@@ -52,7 +52,7 @@ Study run_study(CampaignInput const& input, StudyOptions const& options, Tell co
     auto waves = std::min(options.waves, most);
     std::vector<Taken> taken;
     if (waves == 0 || waves > 2 * probed) {
-        // One round on a few waves first: it tells what each step costs.
+        // One round on a few waves first: it shows the cost of each step.
         auto const begin = Clock::now();
         (void)Runner(input, probed, 1, 0).run([&](Extent extent, double s) { taken.push_back({extent, s}); });
         double const budget_s = options.seconds - seconds_since(begin);

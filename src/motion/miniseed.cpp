@@ -23,7 +23,7 @@ bool recognises_miniseed(std::string_view content) { return is_miniseed(content)
 namespace {
 
 constexpr double ticks_per_s = HPTMODULUS;
-// Of a library whose own messages go to stderr: what it finds is told by its answers.
+// Of a library whose own messages go to stderr: its return values report errors.
 void say_nothing(char* /*text*/) {}
 
 struct Free {

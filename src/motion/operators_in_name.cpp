@@ -37,7 +37,7 @@ std::string without_brackets(Text lower) {
     return rest;
 }
 
-/// Is there a sign of reckoning in it that is not a unit's or a direction's? A spectrum's "V/H" is told elsewhere.
+/// Is there a sign of reckoning in it that is not a unit's or a direction's? A spectrum's "V/H" is reported elsewhere.
 bool has_operator(Text text) {
     return std::ranges::any_of(parted_at(text, " \t_,;:\n"), [](Text token) {
         bool const sign = token.find_first_of("/*^|+<>") != Text::npos || token.find("\xC3\x97") != Text::npos

@@ -119,7 +119,7 @@ void state_unit(RecordRequest& request, std::string_view text) {
     validate(*request.unit_mps2 > 0 && std::isfinite(*request.unit_mps2), "{} (must be above 0). Mend it", plain);
 }
 
-/// \throws InputError at a record about 1 g: of a sensor that reads the weight too, and which way is not told
+/// \throws InputError at a record about 1 g: of a sensor that reads the weight too, and which way is not stated
 void check_without_gravity(RecordComponent const& component, Location const& where) {
     constexpr double near = 0.2;  // tilted, or off its calibration; the mean of no complete motion comes near
     double sum = 0;

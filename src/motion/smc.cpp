@@ -77,7 +77,7 @@ std::string component_of(Header const& header) {
     return at == std::string::npos ? std::string() : std::string(trimmed(header.place.substr(at + key.size())));
 }
 
-/// "2 CORRECTED ACCELEROGRAM"; where processing is not stated, the layout tells.
+/// "2 CORRECTED ACCELEROGRAM"; where processing is not stated, the layout decides.
 bool is_title(std::string_view line) {
     auto const lower = lowered(trimmed(line));
     bool const numbered = lower.size() > 2 && is_digit(lower[0]) && lower[1] == ' ';

@@ -108,7 +108,7 @@ class Choice {
         });
     }
 
-    // What nearly every wave passes has no rare failures to fit pulses to: plain trials tell it.
+    // A limit that nearly every wave passes has no rare failures to fit pulses to: plain trials are enough.
     struct Parted {
         Places nearly_certain, others;
     };

@@ -46,7 +46,7 @@ std::optional<CampaignInput> begun_there(store::ShardFolder const& shards) {
     return record.empty() ? std::nullopt : std::optional(CampaignInput::deserialise(record));
 }
 
-// A damaged record is written anew, since the blocks tell whose they are; but never by chance, and never over others'.
+// A damaged record is written anew, since the blocks name their campaign; but never by chance, and never over others'.
 std::optional<CampaignInput> sound_record(store::ShardFolder const& shards, CampaignInput const& input, bool resume) {
     try {
         return begun_there(shards);

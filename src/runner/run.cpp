@@ -239,7 +239,7 @@ class Run {
         }
     }
 
-    // What is not merged yet goes on with the segments so far; a part's are told by merge.
+    // What is not merged yet goes on with the segments so far; merge reports those of a part.
     void print_segments(std::string const& segment) {
         auto segments = shards_.exists() ? shards_.segments() : earlier_segments_;
         segments.push_back(segment);

@@ -6,7 +6,7 @@
 
 namespace overturn {
 
-// At the sample before a tile's first, of the forms that tell it.
+// At the sample before a tile's first, of the forms that have it.
 PeakResponse::State PeakResponse::state_before(Searched const& searched, std::size_t lane, std::size_t tile) const {
     auto const& series = searched.series;
     auto const& o = oscillators_[searched.group->first + lane];

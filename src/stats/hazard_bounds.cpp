@@ -18,8 +18,7 @@ double slope_between(HazardPoint const& a, HazardPoint const& b) {
 
 // A slope that the hazard of motions weaker than the first point does not exceed. Hazard curves grow steeper with
 // intensity, so the steepest piece that begins within a factor of 2 bounds it, also where the first one is flat or
-// short. A curve that ends within that factor tells none: then motions twice as strong are taken as ten times as
-// seldom.
+// short. A curve that ends within that factor has none: then motions twice as strong are taken as ten times as seldom.
 double weak_slope(HazardCurve const& hazard) {
     constexpr double near = 2;
     auto const& points = hazard.points();

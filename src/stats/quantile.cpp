@@ -49,7 +49,7 @@ double score_among(double estimate, std::span<double const> values) {
     if (known == 0) {
         return 0;
     }
-    double const least = 0.5 / known;  // all on one side: as far as so many can tell
+    double const least = 0.5 / known;  // all on one side: the limit of so many trials
     return gsl_cdf_ugaussian_Pinv(std::clamp(below / known, least, 1 - least));
 }
 

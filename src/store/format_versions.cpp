@@ -11,7 +11,7 @@ namespace overturn::store {
 namespace {
 
 /// An error whose last files are of a version: whoever mends one that touched results adds a line, and gives the format
-/// its next number if the version does not tell the files apart.
+/// its next number if the version does not distinguish the files.
 struct KnownError {
     std::int64_t last_version;
     char const* text;

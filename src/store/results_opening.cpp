@@ -38,7 +38,7 @@ std::int64_t version_of(File const& file) {
 
 constexpr char said_by_itself = '!';  // before a message that needs nothing added
 
-// Told apart from damage: no right to read, and somebody writing. A file system without locks hinders nobody.
+// Distinguished from damage: no right to read, and a file being written. A file system without locks hinders nobody.
 void require_readable(std::filesystem::path const& path) {
     int const fd = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
     validate(fd >= 0, "{}: cannot be read ({}). Make it readable", path.string(), std::strerror(errno));
@@ -72,7 +72,7 @@ ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std
         refuse(seal, format);
     }
     open(format);
-    // A seal can be made anew by who edits; then the digests inside still tell.
+    // An editor can make a new seal; then the digests inside still show the change.
     if (auto const faults = trust == Trust::sealed ? digest_faults() : std::string(); !faults.empty()) {
         throw InputError(damaged(path_, faults));
     }

@@ -237,7 +237,7 @@ std::string ResultsReader::attribute_or(std::string const& object, std::string c
 }
 
 std::string hdf5_version() {
-    Quiet const first;  // asking wakes the library, and only before that can it be told how to end
+    Quiet const first;  // asking wakes the library, and its ending can be set only before that
     unsigned major = 0;
     unsigned minor = 0;
     unsigned release = 0;

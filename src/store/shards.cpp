@@ -154,7 +154,7 @@ std::vector<std::byte> ShardFolder::read(std::int64_t block) const {
     return std::move(found.rows);
 }
 
-// By name alone; others that look alike are told of in `notes`, if given.
+// By name alone; other files with similar names are reported in `notes`, if given.
 std::vector<std::int64_t> ShardFolder::block_files(BlockRange range, std::vector<std::string>* notes) const {
     std::vector<std::int64_t> blocks;
     each_file(folder_, range, [&](ShardEntry const& entry) {
@@ -282,7 +282,7 @@ void ShardFolder::remove_unfinished(BlockRange range) const {
     });
 }
 
-// The record goes after the blocks, so that what a kill leaves in between can still be told.
+// The record goes after the blocks, so that the remains of a kill in between can still be identified.
 void ShardFolder::remove() const {
     for (auto const& output : aside()) {
         ShardFolder(output, "").remove();

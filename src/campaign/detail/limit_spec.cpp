@@ -130,7 +130,7 @@ bool is_told(LimitQuantity const& quantity, EffectRequest const& effects) {
     });
 }
 
-// A quantity that only some effects tell: they are simulated in every trial, or the limit is refused.
+// A quantity that only some effects give: they are simulated in every trial, or the limit is refused.
 void call_for(Table const& table, LimitQuantity const& quantity, EffectRequest& effects) {
     if (is_told(quantity, effects)) {
         if (effects.mode == EffectMode::automatic && !quantity.of_every_model) {

@@ -8,7 +8,7 @@
 namespace overturn::output {
 namespace {
 
-// "<= 400": already the lowest that was tried; "> 1000": none that was tried; "-" where the trials do not tell.
+// "<= 400": already the lowest that was tried; "> 1000": none that was tried; "-" where the trials leave it open.
 std::string least_text(GridMap const& map, GridLine const& line, std::optional<std::size_t> level) {
     if (!level) {
         return line.undecided > 0 ? "-" : fmt::format("> {:.4g}", map.shown_in.of(map.levels.back()));

@@ -54,7 +54,7 @@ class EarlierRows {
     std::vector<std::pair<std::int64_t, std::int64_t>> places_;  ///< by identity
 };
 
-/// Rows of a finished file; its caller has checked the seal.
+/// Rows of a finished file, whose seal is not checked here.
 class FinishedRows : public EarlierRows {
   public:
     explicit FinishedRows(std::filesystem::path const& output);

@@ -42,7 +42,7 @@ std::string median_obstacle(FragilityFit const& fit, double half_width) {
                : fmt::format("cannot meet target_median_half_width = {:g} while that is so ({})", half_width, why);
 }
 
-// One body by one limit state; of obstacles the first is told.
+// One body by one limit state; of obstacles the first is reported.
 void look(CampaignSpec const& spec, Statistics const& statistics, std::size_t body, std::size_t limit,
           TargetLook& looked) {
     auto const& target = spec.limits[limit].target;

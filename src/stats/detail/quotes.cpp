@@ -21,7 +21,7 @@ bool may_pool(FragilityFit const& fit, FragilityData const& data) {
     return data.kind == FragilityData::Kind::stripes && !data.waves_shared && may_rise(fit);
 }
 
-// The curve is not to be believed here, and nothing else tells P.
+// The curve is not believed here, and nothing else gives P.
 void withhold(QuotedProbability& quoted) {
     quoted.probability.reset();
     quoted.in_tail = false;

@@ -41,7 +41,7 @@ std::optional<SeenBound> stripes_up_to(double log_intensity, std::span<Fragility
     return seen_together({first, end}, confidence);
 }
 
-// Of the trials of one wave the one that says least: it tells no more. \param fallen any of them counts, else all must
+// Of the trials of one wave, the weakest one: they count as one. \param fallen any of them counts, else all must
 SeenBound seen_by_waves(std::span<SingleTrial const> trials, bool fallen, double confidence) {
     std::map<std::int64_t, bool> waves;
     for (auto const& trial : trials) {

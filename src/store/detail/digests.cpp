@@ -44,7 +44,7 @@ std::string text_of_type(hid_t type) {
     }
 }
 
-// Values that lie elsewhere in the file: HDF5's own for axes, which are told by name instead.
+// Values that lie elsewhere in the file: HDF5's own for axes, which are listed by name instead.
 bool points_elsewhere(hid_t type) {
     return H5Tdetect_class(type, H5T_VLEN) > 0 || H5Tdetect_class(type, H5T_REFERENCE) > 0;
 }

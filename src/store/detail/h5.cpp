@@ -21,7 +21,7 @@ herr_t innermost(unsigned depth, H5E_error2_t const* error, void* reason) {
     return 0;
 }
 
-// HDF5 tells a system's error among addresses and offsets ("..., filename = 'out.h5', ..., errno = 5, ..."): of these
+// HDF5 reports a system's error among addresses and offsets ("..., filename = 'out.h5', ..., errno = 5, ..."): of these
 // what a person can act on. Empty where no system call failed.
 std::string error_of_system(std::string const& what, std::string const& reason) {
     constexpr std::string_view number_mark = "errno = ";
