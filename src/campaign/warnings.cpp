@@ -155,8 +155,8 @@ std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, Ground
     };
     auto const on_bed = mask_of(Effect::contact) | mask_of(Effect::spatial);
     std::array const all{
-        Stated{mask_of(Effect::sliding) | on_bed, "sliding", body.friction.has_value(), "its friction is stated",
-               "it does not slip"},
+        Stated{mask_of(Effect::sliding), "sliding", body.friction.has_value(), "it is stated",
+               "its friction does not act"},
         Stated{on_bed, "contact", body.footing.stated, "its base or pad is stated", "it turns about two rigid corners"},
         Stated{mask_of(Effect::spatial), "spatial", body.axes > 1 && !motion.transverse_mps2.empty(),
                "the wave has a second component", "it moves in one plane"},

@@ -86,7 +86,8 @@ void refuse_mixture(fs::path const& folder, std::vector<std::string> const& all,
 void require_essential_columns(store::ResultsReader const& file) {
     for (auto const& field : fields_of<TrialRow>()) {
         auto const path = "trials/" + field.name;
-        validate(!field.essential || file.has(path), "results file: has no {} (it was edited). Restore it, or run the "
+        validate(!field.essential || file.has(path),
+                 "results file: has no {} (it was edited). Restore it, or run the "
                  "campaign again",
                  path);
     }

@@ -23,8 +23,8 @@
 #include "output/curve_tables.hpp"
 #include "output/fit_json.hpp"
 #include "output/made_by.hpp"
-#include "output/results_tables.hpp"
 #include "output/records_table.hpp"
+#include "output/results_tables.hpp"
 #include "output/sections.hpp"
 #include "output/status_text.hpp"
 #include "output/summary_tables.hpp"
@@ -159,10 +159,9 @@ void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics c
     json["levels"] = levels_json(spec.levels);
     json["unverified"] = changed;
     json["interim"] = interim;
-    std::vector<output::Table> tables{output::answer_table(answered_of(all, spec, statistics)),
-                                      output::records_table(spec, all.few),
-                                      output::telling_trial_table(spec, all.telling),
-                                      output::hand_check_table(spec, all.by_hand)};
+    std::vector<output::Table> tables{
+        output::answer_table(answered_of(all, spec, statistics)), output::records_table(spec, all.few),
+        output::telling_trial_table(spec, all.telling), output::hand_check_table(spec, all.by_hand)};
     if (!all.pairs.empty()) {
         tables.push_back(output::two_measure_table(all.pairs, all.confidence));
     }

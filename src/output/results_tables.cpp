@@ -197,6 +197,10 @@ void write_table(store::ResultsWriter& file, Table const& table) {
             file.attribute(table.group, name, std::get<double>(value));
         } else if (std::holds_alternative<std::string>(value)) {
             file.attribute(table.group, name, std::get<std::string>(value));
+        } else if (std::holds_alternative<std::int64_t>(value)) {
+            file.attribute(table.group, name, std::get<std::int64_t>(value));
+        } else if (std::holds_alternative<bool>(value)) {
+            file.attribute(table.group, name, static_cast<std::int64_t>(std::get<bool>(value)));
         }
     }
 }

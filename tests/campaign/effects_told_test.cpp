@@ -67,7 +67,7 @@ TEST(StatedEffects, FrictionThatTheyIgnoreIsReported) {
     auto const warnings = [](std::string const& body_keys, std::string const& effects) {
         return warnings_of(campaign_from(campaign_with(body_keys, effects)));
     };
-    char const* const stuck = "it does not slip";
+    char const* const stuck = "its friction does not act";
     EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\ninclude=['contact']\n"), stuck));
     EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\ninclude=['vertical']\n"), stuck));
     EXPECT_FALSE(told(warnings("friction=0.5\n", "[effects]\ninclude=['contact', 'sliding']\n"), stuck));
