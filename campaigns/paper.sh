@@ -99,9 +99,10 @@ for wave in $(seq 0 9); do
     done
 done
 
-# Figure 11: V_WES(t) and V_resp(t) of A at 1406 gal and of B at 892 gal, under the waves that the page chooses.
-"$python" -B "$campaigns/paper_page.py" "$out" --choose | while read -r name trial; do
-    "$overturn" replay "$out/published.h5" --trial "$trial" --velocities kine --plot "$out/$name.svg" > /dev/null
+# Figure 11: V_WES(t) and V_resp(t) of A at 1406 gal and of B at 892 gal, and of both on a round rim, under the waves that
+# the page chooses.
+"$python" -B "$campaigns/paper_page.py" "$out" --choose | while read -r name study trial; do
+    "$overturn" replay "$out/$study.h5" --trial "$trial" --velocities kine --plot "$out/$name.svg" > /dev/null
 done
 
 "$python" -B "$campaigns/paper_page.py" "$out" --program "$("$overturn" --version | head -1)" ${quick:+--quick}

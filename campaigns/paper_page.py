@@ -1,7 +1,7 @@
 """The page of campaigns/paper.sh: every table and figure of the paper beside what the campaigns in a folder found. What
 is said of it hangs on what was found (paper_words.py), or is a fact of the paper or of the program.
 
-paper_page.py FOLDER --choose    prints which trials figure 11 shows: name, trial
+paper_page.py FOLDER --choose    prints which trials figure 11 shows: name, study, trial
 paper_page.py FOLDER [--program NAME] [--quick]   writes FOLDER/paper.html and FOLDER/paper.json, the same as data"""
 
 import json
@@ -13,7 +13,7 @@ import numpy as np
 
 import paper_words as words
 from paper_html import Page, plt
-from paper_study import GAL, KINE, PUBLISHED, Study, ended_as, published_trials, steady_rotations
+from paper_study import GAL, KINE, PUBLISHED, Study, ended_as, published_trials, space_trials, steady_rotations
 from paper_words import DIFFERS, MISSING, REPRODUCED, UNKNOWN, Pair
 
 SAME_ENDS, CLOSE = 0.97, 0.2   # of trials at two scales; of V_resp about V_WES, and of V_E about its largest
@@ -178,6 +178,23 @@ class Paper(Page):
                   REPRODUCED if all(low >= RARITY for low, _ in ends) else DIFFERS if any(high < RARITY for _, high in ends) else UNKNOWN,
                   f"{'; '.join(told)}. The paper has one test of each, and type B's width is assumed", rows=rows)
 
+    def histories_in_space(self):
+        study = Study(self.folder / "space.h5")
+        rows, figures, stands, early = [["body", "level", "overturned", "of", "published"]], [], [], []
+        for (name, trial), (_, gal, published) in zip(space_trials(self.folder), PUBLISHED):
+            body = study.bodies[study.body[trial]]
+            level = study.at(body, study.amplitude[trial] / GAL)
+            fell, of, before = int(np.sum(level & study.is_["overturned"])), int(np.sum(level)), study.before_the_most(body)
+            stands.append(words.bounds(of - fell, of)[1])
+            early.append(f"{int(np.sum(before))} of {len(before)} falls of {body}")
+            rows.append([body, f"{study.amplitude[trial] / GAL:.0f} gal", fell, of, f"{published} at {gal} gal"])
+            figures.append(f"{name}.svg")
+        self.item("Figure 11 in space: a round rim under two components", f"type A at {rows[1][1]}, type B at {rows[2][1]}: a trial of each",
+                  DIFFERS if stands[0] < RARITY else UNKNOWN,
+                  f"type A, which stood at {PUBLISHED[0][1]} gal under one, stands here in at most {100 * stands[0]:.2g} % of such waves at {rows[1][1]}. "
+                  f"Over before V_WES of the first component is at its largest: {words.listed(early)}"
+                  + ("" if stands[0] < RARITY else f". Whether it hardly ever stands cannot be told from {rows[1][3]} waves"), figures, rows)
+
     def response(self):
         study = Study(self.folder / "one_axis.h5")
         limit = study.column("v_ereq")
@@ -282,6 +299,19 @@ class Paper(Page):
                   words.verdict_on_alike(all_three, ways=(1,)), words.sentences(words.compared(all_three, "under three axes", "under one")
                                                                                        + words.compared(two, "under two axes", "under one")), rows=rows)
 
+    def landings(self):
+        rows, most = [["body", "fell", "landed", "median of closed form", "95 % below", "most", "faster than from rest"]], 0
+        for name in ("one_axis", "axes", "space"):
+            study = Study(self.folder / f"{name}.h5")
+            for body in study.bodies:
+                ratio = study.landings(body)
+                if len(ratio):
+                    rows.append([f"{body} ({name})", study.fell(body)[0], len(ratio), f"{np.median(ratio):.2f}", f"{np.quantile(ratio, 0.95):.2f}",
+                                 f"{np.max(ratio):.2f}", f"{100 * np.mean(ratio > 1):.0f} %"])
+                most = max(most, np.max(ratio, initial=0))
+        self.item("Landings of what fell", "angular velocity when the body lies, over p sqrt(2 (1 - sin alpha)): potential energy alone, from balance at rest",
+                  UNKNOWN, "the paper tells of no landing" + (f". A tip-over from rest is no bound: up to {most:.2f} times as fast" if most > 1 else ""), rows=rows)
+
     def vertical(self):
         study = Study(self.folder / "horizontal_vertical.h5")
         rows = [["body", "overturned", "of"]] + [[body, *study.fell(body)] for body in study.bodies]
@@ -291,8 +321,8 @@ class Paper(Page):
         self.item("Figure 9", "", UNKNOWN, "what it shows is not among what of the paper this project has")
 
     def collect(self):
-        for part in (self.factors, self.similarity, self.specimens, self.waves, self.sinusoids, self.histories, self.response,
-                     self.plateau, self.criterion, self.criterion_in_space, self.axes, self.vertical):
+        for part in (self.factors, self.similarity, self.specimens, self.waves, self.sinusoids, self.histories, self.histories_in_space,
+                     self.response, self.plateau, self.criterion, self.criterion_in_space, self.axes, self.landings, self.vertical):
             part()
         return self
 
@@ -300,8 +330,9 @@ class Paper(Page):
 def main():
     folder = pathlib.Path(sys.argv[1])
     if "--choose" in sys.argv:
-        for name, trial in published_trials(folder):
-            print(name, trial)
+        for study, trials in (("published", published_trials), ("space", space_trials)):
+            for name, trial in trials(folder):
+                print(name, study, trial)
         return
     program = sys.argv[sys.argv.index("--program") + 1] if "--program" in sys.argv else ""
     page = Paper(folder, "--quick" in sys.argv, program).collect()

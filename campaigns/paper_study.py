@@ -1,4 +1,4 @@
-"""A results file as the paper's page reads it, and the trials that its figure 11 shows."""
+"""A results file as the paper's page reads it, and the trials that its figure 11 shows, in a plane and in space."""
 
 import csv
 import math
@@ -8,6 +8,7 @@ import numpy as np
 
 GAL, KINE = 0.01, 0.01
 PUBLISHED = (("type-a", 1406, "stood"), ("type-b", 892, "overturned"))  # under AW01: body, gal, how it ended
+IN_SPACE = (("a-round-xy", 1100), ("b-round-xy", 900))  # body and level of campaigns/criterion_in_space.toml, next to those
 
 
 class Study:
@@ -52,6 +53,17 @@ class Study:
         moved = self.of(body) & self.is_["rocked"] & (offered > above) & (answer > 0)
         return self.column("wave")[moved], offered[moved], answer[moved]
 
+    def before_the_most(self, body):
+        """Of the trials of a body that fell: whether each falls before its wave offers most (V_WES)."""
+        fell = self.of(body) & self.is_["overturned"]
+        return self.column("overturn_time")[fell] < self.file[f"waves/{body}/v_wes_time"][()][self.column("wave")[fell]]
+
+    def landings(self, body):
+        """Angular velocity of what fell, when it lies, over that from balance at rest: potential energy alone."""
+        alpha, p = (self.number(body, name) for name in ("alpha", "p"))
+        spin = self.column("landing_spin")[self.of(body) & self.is_["overturned"]]
+        return spin[np.isfinite(spin) & (spin > 0)] / (p * math.sqrt(2 * (1 - math.sin(alpha))))
+
     def pair(self, one, other):
         """For words.Pair: waves, and which trials of either body fell."""
         fell, waves = self.is_["overturned"], self.column("wave")
@@ -73,6 +85,19 @@ def published_trials(folder):
         if not len(trials):  # nothing ended as published under these waves
             trials = np.flatnonzero(level)
         ordered = trials[np.argsort(peak[trials], kind="stable")]
+        chosen.append((name, int(ordered[len(ordered) // 2])))
+    return chosen
+
+
+def space_trials(folder):
+    """Of figure 11 on a round rim under two components: of each body, at its level, one that falls."""
+    study = Study(folder / "space.h5")
+    chosen = []
+    for name, (body, gal) in zip(("figure_11_space_a", "figure_11_space_b"), IN_SPACE):
+        level = study.at(body, gal)
+        trials = np.flatnonzero(level & study.is_["overturned"])
+        trials = trials if len(trials) else np.flatnonzero(level)
+        ordered = trials[np.argsort(study.column("overturn_time")[trials], kind="stable")]
         chosen.append((name, int(ordered[len(ordered) // 2])))
     return chosen
 
