@@ -45,8 +45,8 @@ Checks published_apart(double least_half_sine) {
 
 std::vector<LeftOut> left_out_of_published() {
     return {
-        {"free period and sine pulse of the element RockingBC", "OpenSees",
-         "that program is not at hand; the same periods in closed form are M-06 and M-08"},
+        {"what the element RockingBC gives for its example", "OpenSees",
+         "that program is not at hand, and the example prints no answer; its block and cases are L-33 and L-34"},
         {"slip spectra of records", "OpenSeismoMatlab", "the records are not part of this program"},
         {"spectral intensities of El Centro", "Housner, from an analogue computer",
          "the record is not part of this program: tests/validation, where it is at hand"},

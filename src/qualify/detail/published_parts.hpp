@@ -5,6 +5,11 @@
 
 namespace overturn::qualify {
 
+/// Of what could not be consulted.
+inline constexpr char const* derived = "derived again, the paper was not at hand";
+
+/// Pulses that overturn a block.
+[[nodiscard]] Checks published_pulses();
 /// Fragility curves fitted to printed data.
 [[nodiscard]] Checks published_fits();
 /// Impulses, bounds and impacts of the block in a plane.
