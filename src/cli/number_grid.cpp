@@ -19,9 +19,7 @@ double positive(std::string_view text, char const* option) {
     return value;
 }
 
-}  // namespace
-
-std::vector<double> number_grid(std::string_view text, char const* option) {
+std::vector<double> any_grid(std::string_view text, char const* option) {
     std::vector<double> grid;
     auto const range = parts_of(text, ':');
     if (range.size() == 1) {
@@ -39,6 +37,17 @@ std::vector<double> number_grid(std::string_view text, char const* option) {
              "{} '{}' (its count is none from 2 to {}). Mend it", option, text, most_numbers);
     for (int i = 0; i < static_cast<int>(count); ++i) {
         grid.push_back(first * std::pow(last / first, i / (count - 1)));
+    }
+    return grid;
+}
+
+}  // namespace
+
+std::vector<double> number_grid(std::string_view text, char const* option, double least, double most) {
+    auto grid = any_grid(text, option);
+    for (double const value : grid) {
+        validate(value >= least && value <= most, "{} '{}' ({:g} is none from {:g} to {:g}). Mend it", option, text,
+                 value, least, most);
     }
     return grid;
 }

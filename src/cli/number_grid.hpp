@@ -6,8 +6,8 @@
 
 namespace overturn::cli {
 
-/// At least one number, each above 0; at most 2000 by first:last:count. \param option names it in messages
-/// \throws InputError
-[[nodiscard]] std::vector<double> number_grid(std::string_view text, char const* option);
+/// At least one number, each from `least`, above 0, to `most`; at most 2000 by first:last:count.
+/// \param option names it in messages \throws InputError
+[[nodiscard]] std::vector<double> number_grid(std::string_view text, char const* option, double least, double most);
 
 }  // namespace overturn::cli

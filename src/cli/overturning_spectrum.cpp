@@ -19,6 +19,8 @@ namespace overturn::cli {
 namespace {
 
 constexpr int samples_per_period = 2000;  // chords miss a sine by 1.2e-6 of its peak at most
+constexpr double default_highest = 30;
+constexpr double default_step = 0.01;
 
 RockingBlock stated_block(OverturningOptions const& options) {
     validate(options.p.has_value() && !options.alpha.empty() && options.restitution.has_value(),
@@ -41,6 +43,14 @@ void take_body(output::OverturningSpectrum& spectrum, OverturningOptions const& 
     spectrum.body = spec.name;
 }
 
+PulseParameters stated_parameters(OverturningOptions const& options) {
+    constexpr double longest = 100;
+    PulseParameters const stated{*options.gamma, stated_angle(options.phase, "--phase")};
+    validate(stated.gamma > 1 && stated.gamma <= longest,
+             "--gamma {} (periods that the pulse lasts, above 1, to {}). Mend it", stated.gamma, longest);
+    return stated;
+}
+
 void sweep(output::OverturningSpectrum& spectrum, OverturningOptions const& options) {
     auto const& shape_entry = config::find_entry(pulse_shapes(), options.pulse, "--pulse");
     bool const parametric = options.pulse == parametric_pulse;
@@ -49,15 +59,20 @@ void sweep(output::OverturningSpectrum& spectrum, OverturningOptions const& opti
              "--gamma and --phase (both are stated for --pulse {}, and for no other pulse). Mend it", parametric_pulse);
     PulseParameters parameters;
     if (parametric) {
-        parameters = {*options.gamma, parse_quantity(options.phase, Dimension::angle)};
+        parameters = stated_parameters(options);
+        spectrum.parameters = parameters;
     }
     validate(options.ratios.empty() || options.frequencies.empty(),
              "--ratios beside --frequencies (both say which). Leave one of them out");
     auto const shape = shape_entry.value(parameters);
     double const hz_per_ratio = spectrum.block.p_radps / (2 * pi);
     bool const in_hz = !options.frequencies.empty();
-    auto const grid = in_hz ? number_grid(options.frequencies, "--frequencies")
-                            : number_grid(options.ratios.empty() ? "0.5:10:40" : options.ratios, "--ratios");
+    double const unit = in_hz ? hz_per_ratio : 1;
+    constexpr double least_ratio = 1e-4;  // beyond these a pulse is a step, or a push of no length
+    constexpr double most_ratio = 1e4;
+    std::string const ratios = options.ratios.empty() ? "0.5:10:40" : options.ratios;
+    auto const grid = number_grid(in_hz ? options.frequencies : ratios, in_hz ? "--frequencies" : "--ratios",
+                                  least_ratio * unit, most_ratio * unit);
     spectrum.shaking = options.pulse;
     for (double const value : grid) {
         double const frequency = in_hz ? value : value * hz_per_ratio;
@@ -97,8 +112,9 @@ void OverturningOptions::offered_by(Verb& verb) {
     verb.takes("--frequencies", frequencies, "the same in Hz");
     verb.takes("--gamma", gamma, "of the pulse mavroeidis-papageorgiou");
     verb.takes("--phase", phase, "the same, e.g. \"90 deg\"");
-    verb.takes("--highest", highest, "where the scan ends, over the amplitude of uplift");
-    verb.takes("--step", step, "ratio of tried amplitudes, less 1");
+    verb.takes("--highest", highest,
+               fmt::format("where the scan ends, over the amplitude of uplift; default {}", default_highest));
+    verb.takes("--step", step, fmt::format("ratio of tried amplitudes, less 1; default {}", default_step));
     verb.takes("--linearised", linearised, "of the linearised block, as in the papers");
     verb.takes("-o,--output", output, "with --overturning or --rocking: the same as csv");
 }
@@ -106,7 +122,7 @@ void OverturningOptions::offered_by(Verb& verb) {
 bool OverturningOptions::states_more() const { return has_pulse_or_scan() || restitution || !(alpha + output).empty(); }
 
 bool OverturningOptions::has_pulse_or_scan() const {
-    return p || gamma || linearised || !(pulse + phase + ratios + frequencies).empty();
+    return p || gamma || highest || step || linearised || !(pulse + phase + ratios + frequencies).empty();
 }
 
 output::OverturningSpectrum overturning_spectrum(OverturningOptions const& options, RecordOptions const& record,
@@ -114,12 +130,15 @@ output::OverturningSpectrum overturning_spectrum(OverturningOptions const& optio
     validate(options.pulse.empty() != record.wave.empty(), "--overturning (of one pulse or one wave). State {}",
              options.pulse.empty() ? "--pulse or --wave" : "one of them");
     constexpr double finest = 1e-5;
-    validate(options.highest > 1 && options.highest <= 1e4, "--highest {} (above 1, to 10000). Mend it",
-             options.highest);
-    validate(options.step >= finest && options.step <= 1, "--step {} ({} to 1). Mend it", options.step, finest);
+    double const highest = options.highest.value_or(default_highest);
+    double const step = options.step.value_or(default_step);
+    validate(highest > 1 && highest <= 1e4, "--highest {} (above 1, to 10000). Mend it", highest);
+    validate(step >= finest && step <= 1, "--step {} ({} to 1). Mend it", step, finest);
+    validate(options.pulse.empty() || !record.says_how_to_read(),
+             "--unit, --time-step and the like beside --pulse (they are of a record). Leave them out");
     output::OverturningSpectrum spectrum;
-    spectrum.scan = {.highest = options.highest,
-                     .step = options.step,
+    spectrum.scan = {.highest = highest,
+                     .step = step,
                      .accuracy = {.restoring = options.linearised ? Restoring::linear : Restoring::nonlinear}};
     take_body(spectrum, options, body);
     if (options.pulse.empty()) {

@@ -14,8 +14,7 @@ namespace overturn::cli {
 struct OverturningOptions {
     bool asked = false;
     std::string alpha, pulse, phase, ratios, frequencies, output;
-    std::optional<double> p, restitution, gamma;
-    double highest = 30, step = 0.01;
+    std::optional<double> p, restitution, gamma, highest, step;
     bool linearised = false;
 
     void offered_by(Verb& verb);

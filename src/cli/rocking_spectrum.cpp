@@ -73,7 +73,10 @@ output::RockingSpectrum rocking_spectrum(RockingSpectrumOptions const& options, 
     output::RockingSpectrum spectrum;
     auto const blocks =
         body.empty() ? stated_blocks(alphas, restitution) : std::vector<RockingBlock>{block_of_file(spectrum, body)};
-    auto periods = number_grid(options.periods.empty() ? "1:8:36" : options.periods, "--rocking-periods");
+    constexpr double shortest_s = 1e-2;
+    constexpr double longest_s = 1e3;
+    auto periods =
+        number_grid(options.periods.empty() ? "1:8:36" : options.periods, "--rocking-periods", shortest_s, longest_s);
     if (spectrum.body_period_s) {
         periods.push_back(*spectrum.body_period_s);
     }

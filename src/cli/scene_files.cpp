@@ -11,6 +11,12 @@
 
 namespace overturn::cli {
 
+bool RecordOptions::says_how_to_read() const {
+    RecordOptions const unsaid{};
+    return !(unit + time_step + format + columns + component).empty() || components != unsaid.components
+           || baseline != unsaid.baseline;
+}
+
 void add_record_options(Verb& verb, RecordOptions& options) {
     verb.takes("--unit", options.unit,
                "unit of the accelerations: g, gal, m/s2, or of a count \"2.4e-6 m/s2\"; where the file has none");

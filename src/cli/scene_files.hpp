@@ -22,6 +22,9 @@ struct RecordOptions {
     std::string component;            ///< component in the rocking plane
     std::string components = "file";  ///< other components, by a name of component_choices()
     std::string baseline = "none";    ///< as parse_baseline takes it
+
+    /// Whether anything but the file is stated.
+    [[nodiscard]] bool says_how_to_read() const;
 };
 
 /// Declares --unit, --time-step, --format, --columns, --component, --components, --baseline.

@@ -27,10 +27,12 @@
 namespace overturn::cli {
 namespace {
 
+constexpr double default_damping = 0.05;
+
 struct SpectrumOptions {
     RecordOptions record;
     std::string body, plot, periods;
-    double damping = 0.05;
+    double damping = default_damping;
     VelocityUnit unit;
     OverturningOptions overturning;
     RockingSpectrumOptions rocking;
@@ -181,7 +183,7 @@ int show_overturning(SpectrumOptions const& options) {
 
 int show_rocking(SpectrumOptions const& options) {
     validate(!options.overturning.has_pulse_or_scan(),
-             "--rocking beside --pulse, --p, --ratios or --linearised (they are of an overturning spectrum). Leave "
+             "--rocking beside --pulse, --p, --ratios and the like (they are of an overturning spectrum). Leave "
              "them out");
     return show(rocking_spectrum(options.rocking, options.record, options.overturning.alpha,
                                  options.overturning.restitution, options.body),
@@ -193,8 +195,8 @@ int spectrum(SpectrumOptions const& options) {
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }
-    validate(!(overturning.asked || rocking.asked) || options.periods.empty(),
-             "--periods (of response spectra). Leave it out, or --overturning and --rocking");
+    validate(!(overturning.asked || rocking.asked) || (options.periods.empty() && options.damping == default_damping),
+             "--periods or --damping (of response spectra). Leave it out, or --overturning and --rocking");
     validate(!overturning.asked || !rocking.asked, "--overturning beside --rocking (two answers). State one of them");
     validate(rocking.asked || rocking.periods.empty(),
              "--rocking-periods (of a rocking spectrum). State --rocking too");
@@ -217,9 +219,11 @@ int spectrum(SpectrumOptions const& options) {
     auto const record = load_motion(options.record);
     auto const& motion = record.motion;
     note_warnings(warnings_of(motion));
-    auto const measures =
-        measure(motion, options.damping,
-                options.periods.empty() ? default_periods() : number_grid(options.periods, "--periods"));
+    constexpr double shortest_s = 1e-3;
+    constexpr double longest_s = 1e3;
+    auto const measures = measure(
+        motion, options.damping,
+        options.periods.empty() ? default_periods() : number_grid(options.periods, "--periods", shortest_s, longest_s));
     std::optional<BodySpec> body;
     std::optional<BodyEnergy> energy;
     if (!options.body.empty()) {

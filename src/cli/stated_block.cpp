@@ -7,8 +7,16 @@
 
 namespace overturn::cli {
 
+double stated_angle(std::string_view text, char const* option) {
+    try {
+        return parse_quantity(text, Dimension::angle);
+    } catch (InputError const& error) {
+        throw InputError(fmt::format("{} {}", option, error.what()));
+    }
+}
+
 double stated_alpha(std::string_view text) {
-    double const alpha = parse_quantity(std::string(trimmed(text)), Dimension::angle);
+    double const alpha = stated_angle(text, "--alpha");
     validate(alpha > 0 && alpha < pi / 2, "--alpha {} (must lie between 0 and 90 deg). Mend it", text);
     return alpha;
 }

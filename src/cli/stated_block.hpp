@@ -8,7 +8,10 @@
 
 namespace overturn::cli {
 
-/// "14 deg", between 0 and 90 degrees [rad]. \throws InputError
+/// "90 deg" [rad]. \param option named in messages \throws InputError
+[[nodiscard]] double stated_angle(std::string_view text, char const* option);
+
+/// Of --alpha, between 0 and 90 degrees [rad]. \throws InputError
 [[nodiscard]] double stated_alpha(std::string_view text);
 
 /// Checked value of --restitution, from 0 to 1. \throws InputError

@@ -48,14 +48,20 @@ Json ranges_json(OverturningSpectrum const& spectrum, OverturningPoint const& po
     return ranges;
 }
 
+std::string parameters_text(OverturningSpectrum const& spectrum) {
+    return spectrum.parameters ? fmt::format(" (gamma {:g}, phase {:g} deg)", spectrum.parameters->gamma,
+                                             spectrum.parameters->phase_rad * 180 / pi)
+                               : "";
+}
+
 std::string head_of(OverturningSpectrum const& spectrum) {
     auto const& block = spectrum.block;
     bool const linear = spectrum.scan.accuracy.restoring == Restoring::linear;
     return fmt::format(
-        "{} under {}: {}rigid block on two corners, in one plane, without slip\n"
+        "{} under {}{}: {}rigid block on two corners, in one plane, without slip\n"
         "alpha {:.5g} deg, p {:.5g} rad/s, e {:.5g}; alpha g = {:.5g} m/s2\n",
-        spectrum.body, spectrum.shaking, linear ? "linearised " : "", block.alpha_rad * 180 / pi, block.p_radps,
-        block.restitution, spectrum.alpha_g_mps2());
+        spectrum.body, spectrum.shaking, parameters_text(spectrum), linear ? "linearised " : "",
+        block.alpha_rad * 180 / pi, block.p_radps, block.restitution, spectrum.alpha_g_mps2());
 }
 
 // What is seen of the ranges in so many digits: one that stands, and is too narrow for them, is not.
@@ -117,6 +123,10 @@ Json json_of(OverturningSpectrum const& spectrum) {
         points.push_back(std::move(one));
     }
     Json json{{"body", spectrum.body}, {"shaking", spectrum.shaking}};
+    if (spectrum.parameters) {
+        json["gamma"] = spectrum.parameters->gamma;
+        json["phase_rad"] = spectrum.parameters->phase_rad;
+    }
     if (spectrum.of_record) {
         json["pga_mps2"] = spectrum.peak_mps2;
     }

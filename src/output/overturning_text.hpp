@@ -2,9 +2,11 @@
 /// csv.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "generators/pulse_shape.hpp"
 #include "output/json.hpp"
 #include "rocking/overturning_search.hpp"
 
@@ -18,6 +20,7 @@ struct OverturningPoint {
 
 struct OverturningSpectrum {
     std::string body, shaking;
+    std::optional<PulseParameters> parameters;  ///< of a pulse that has some
     RockingBlock block;
     OverturningScan scan;
     double peak_mps2 = 1;  ///< that a factor of 1 stands for: PGA of the record

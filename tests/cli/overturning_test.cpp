@@ -50,6 +50,17 @@ TEST_F(Overturning, JsonAndCsvHoldTheNotch) {
     EXPECT_EQ(rows, ranges.size());
 }
 
+TEST_F(Overturning, ParametersOfThePulseAreReported) {
+    std::vector<std::string> const pulse{
+        "--pulse", "mavroeidis-papageorgiou", "--gamma", "1.5", "--phase", "90 deg", "--ratios", "2", "--highest", "2"};
+    auto const shown = json::parse(done(joined(joined(block, pulse), {"--json"})).out);
+
+    EXPECT_EQ(shown["gamma"], 1.5);
+    EXPECT_NEAR(shown["phase_rad"], M_PI / 2, 1e-15);
+    EXPECT_NE(done(joined(block, pulse)).out.find("mavroeidis-papageorgiou (gamma 1.5, phase 90 deg)"),
+              std::string::npos);
+}
+
 // Five digits, rounded so that what overturns is no less than it is.
 TEST_F(Overturning, TextIsRoundedToTheSafeSide) {
     auto const text =
@@ -108,6 +119,18 @@ TEST_F(Overturning, RefusesWhatHasNoMeaning) {
     refused(with({"--pulse", "ricker", "--gamma", "2"}), "--gamma and --phase");
     refused(with({"--pulse", "mavroeidis-papageorgiou", "--gamma", "2"}), "--gamma and --phase");
     refused(with({"--pulse", "ricker", "--highest", "1"}), "--highest");
+    refused({"--highest", "3", "--wave", "w.csv"}, "State --overturning too");
+    refused(with({"--pulse", "ricker", "--ratios", "1e300"}), "--ratios '1e300' (1e+300 is none from 0.0001 to 10000)");
+    refused(with({"--pulse", "ricker", "--frequencies", "1,1e-9"}), "--frequencies '1,1e-9' (1e-09 is none from");
+    refused(with({"--pulse", "ricker", "--unit", "g"}), "of a record");
+    refused(with({"--pulse", "ricker", "--baseline", "mean"}), "of a record");
+    refused(with({"--pulse", "ricker", "--damping", "0.1"}), "--damping (of response spectra)");
+    for (auto const* gamma : {"1", "101", "nan"}) {
+        refused(with({"--pulse", "mavroeidis-papageorgiou", "--gamma", gamma, "--phase", "0"}), "above 1, to 100");
+    }
+    refused(with({"--pulse", "mavroeidis-papageorgiou", "--gamma", "2", "--phase", "1 m"}), "--phase unit 'm'");
+    refused({"--overturning", "--pulse", "ricker", "--p", "2", "--alpha", "14deg", "--restitution", "0.9"},
+            "--alpha '14deg'");
     refused({"--overturning", "--pulse", "ricker", "--p", "2", "--alpha", "90 deg", "--restitution", "0.9"},
             "between 0 and 90 deg");
     refused({"--overturning", "--pulse", "ricker", "--p", "2", "--alpha", "0.25", "--restitution", "1.2"}, "0 to 1");

@@ -158,6 +158,8 @@ TEST_F(RockingSpectrum, RefusesWhatHasNoMeaning) {
     refused(with({"--rocking", "--alpha", "60 deg"}), "State --restitution");
     refused(with({"--rocking", "--alpha", "20"}), "20");
     refused(with({"--rocking", "--restitution", "1.2"}), "0 to 1");
+    refused(with({"--rocking", "--rocking-periods", "1,1e300"}), "1e+300 is none from 0.01 to 1000");
+    refused(with({"--periods", "1e-9"}), "1e-09 is none from 0.001 to 1000");
     refused(with({"--periods", "0"}), "not a number above 0");
     refused(with({"--periods", "1:inf:4"}), "not a number above 0");
     refused(with({"--periods", "1", "--plot", "o.svg"}), "periods of its own");

@@ -36,12 +36,16 @@ def draw(data, path):
               label="uplift")
     least = np.array([point["overturning_over_alpha_g"] for point in points], dtype=float)
     axes.plot(ratios, least, color=INK, lw=1.2, label="least that overturns")
-    if np.isfinite(least).any():  # so high as its notch is, not as the scan went
+    if np.isfinite(least).any():  # so high as its notch is; no higher than the scan went
         seen = [r["from_over_alpha_g"] for point in points for r in point["ranges"]]
-        axes.set_ylim(0, 1.15 * max(seen))
+        tried = [point["ranges"][-1]["to_over_alpha_g"] for point in points if point["ranges"]]
+        axes.set_ylim(0, min(1.15 * max(seen), *tried))
     axes.set(xlabel=r"$\omega / p$", ylabel=r"amplitude over $\alpha g$", xlim=(left[0], right[-1]))
     degrees = np.degrees(data["alpha_rad"])
-    axes.set_title(f"{data['shaking']}: " + rf"$\alpha$ {degrees:.4g}°, $p$ {data['p_radps']:.4g} rad/s, "
+    pulse = data["shaking"]
+    if "gamma" in data:
+        pulse += rf" ($\gamma$ {data['gamma']:.4g}, $\nu$ {np.degrees(data['phase_rad']):.4g}°)"
+    axes.set_title(f"{pulse}: " + rf"$\alpha$ {degrees:.4g}°, $p$ {data['p_radps']:.4g} rad/s, "
                    f"$e$ {data['restitution']:.3g}{', linearised' if data['linearised'] else ''}")
     style.name(figure, data["body"])
     style.legend_below(figure, *axes.get_legend_handles_labels(), 2)

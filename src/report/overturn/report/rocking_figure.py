@@ -5,6 +5,7 @@ from .style import INK
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 
 def draw(data, path):
@@ -29,6 +30,9 @@ def draw(data, path):
         axes.axvline(data["body_rocking_period_s"], color=INK, lw=1, ls=":", label=style.literal(data["body"]))
     axes.set(xlabel=r"$2 \pi / p$ [s]", ylabel=r"largest rotation over $\alpha$", xscale="log",
              ylim=(0, highest * (1.1 + 0.05 * len(fallen))))
+    axes.xaxis.set_major_locator(LogLocator(subs=(1, 1.5, 2, 3, 4, 6, 8)))
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda period, _: f"{period:g}"))
+    axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_title(f"PGA {data['pga_mps2']:.4g} m/s²")
     style.name(figure, data["record"])
     style.legend_below(figure, *axes.get_legend_handles_labels(), 2)
