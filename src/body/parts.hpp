@@ -1,6 +1,7 @@
 /// A body assembled from simple parts that share one vertical axis: cask, pallet, counterweight.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <variant>
 
@@ -8,12 +9,19 @@
 
 namespace overturn {
 
+/// How a part is held by what it stands on. A body is computed as one whatever is said here.
+struct Standing {
+    bool fastened = false;
+    std::optional<double> friction = {};  ///< static coefficient there [-]; empty: nothing is known of it
+};
+
 /// Upright and solid.
 struct Cylinder {
     double mass_kg = 0;
     double radius_m = 0;
     double height_m = 0;
     double bottom_height_m = 0;  ///< of its lower face above the base of the body [m]
+    Standing standing = {};
 };
 
 /// Upright and solid. Its depth across the rocking plane does not matter to the inertia in that plane.
@@ -22,6 +30,7 @@ struct Box {
     double width_m = 0;  ///< in the rocking plane [m]
     double height_m = 0;
     double bottom_height_m = 0;  ///< of its lower face above the base of the body [m]
+    Standing standing = {};
 };
 
 struct PointMass {

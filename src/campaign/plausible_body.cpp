@@ -1,9 +1,12 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <variant>
 
 #include "campaign/detail/gyration.hpp"
+#include "campaign/detail/loose_parts.hpp"
 #include "campaign/warnings.hpp"
 #include "core/units.hpp"
 #include "core/usual_range.hpp"
@@ -205,6 +208,7 @@ constexpr std::array body_ranges{
 
 std::vector<std::string> warnings_of(BodySpec const& body) {
     auto lines = unusual(body, std::span<OfBody const>(body_ranges));
+    std::ranges::move(loose_parts(body), std::back_inserter(lines));
     for (auto& line : lines) {
         line.insert(0, body.name + ": ");
     }

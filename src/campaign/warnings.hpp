@@ -25,7 +25,8 @@ namespace overturn {
 [[nodiscard]] std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, GroundMotion const& motion,
                                                                   EffectRequest const& effects);
 
-/// Warnings about one body: sizes, mass and inertia that hardly belong together.
+/// Warnings about one body: sizes, mass and inertia that hardly belong together, parts that would move on each other
+/// first.
 [[nodiscard]] std::vector<std::string> warnings_of(BodySpec const& body);
 
 /// Warnings about one motion: too few samples, too long a step.

@@ -93,6 +93,15 @@ TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {
     EXPECT_EQ(bears("constant-friction", body("friction=0.5\n")), Bears::yes);
     EXPECT_EQ(bears("known-bodies", body("restitution={distribution='lognormal', median=0.8, beta=0.1, high=0.9}\n")),
               Bears::no);
+    EXPECT_EQ(bears("fastened-parts", plain), Bears::yes) << "nothing is known of what it is made of";
+    auto const stacked = [](std::string const& standing) {
+        return quick_waves
+               + "[[bodies]]\nbase_width=2\nparts=[{kind='box', mass='9 t', width=2, height=1}, "
+                 "{kind='box', mass='9 t', width=2, height=1, bottom=1"
+               + standing + "}]\n" + levels;
+    };
+    EXPECT_EQ(bears("fastened-parts", stacked("")), Bears::yes);
+    EXPECT_EQ(bears("fastened-parts", stacked(", fastened=true")), Bears::no);
     EXPECT_EQ(bears("one-spectrum", plain), Bears::yes);
     EXPECT_EQ(bears("independent-components", plain), Bears::no);
     EXPECT_EQ(bears("independent-components", across + levels), Bears::yes);

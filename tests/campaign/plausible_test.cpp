@@ -91,6 +91,36 @@ TEST(Plausible, InertiaAboutACornerAndRadiiForDiametersGetOne) {
     EXPECT_TRUE(of(part + "'2.4 m'}]\n").empty());
 }
 
+//
+TEST(Plausible, PartsThatMoveOnEachOtherFirstGetOne) {
+    auto const of = [](std::string const& of_cask, std::string const& of_body = {}) {
+        return warnings_of(testing::campaign_from(testing::quick_waves + "[[bodies]]\nname='c'\nbase_width=3.4\n"
+                                                  + of_body
+                                                  + "parts=[{kind='cylinder', mass='117 t', diameter=2.5, height=5.4, "
+                                                    "bottom=0.35"
+                                                  + of_cask + "}, {kind='box', mass='21 t', width=3.4, height=0.35}]\n"
+                                                  + testing::levels("values=[3]\n"))
+                               .bodies.front());
+    };
+    auto const tips = of("");
+    ASSERT_EQ(tips.size(), 1U);
+    EXPECT_EQ(
+        tips.front(),
+        "c: part 1 tips at 0.463 g on what it stands on, before the whole tips at 0.651 g (all parts are computed "
+        "as one body). State fastened = true there if nothing can move; else add a body of all above that joint: "
+        "mass 117 t, base_width 2.5 m, centre_height 2.7 m");
+    expect_told(of("", "gravity=4.9\n"), "c: part 1 tips at 0.463 g on what it stands on");  // of its own gravity
+    EXPECT_TRUE(of(", fastened=true").empty());
+    EXPECT_EQ(of(", fastened=false"), tips);
+    EXPECT_TRUE(of("", "friction=0.4\n").empty()) << "the whole slides first";
+    expect_told(of("", "friction=0.5\n"), "before the whole slides at 0.5 g");
+    expect_told(of("", "friction={distribution='uniform', low=0.3, high=0.5}\n"), "before the whole slides at 0.5 g");
+    expect_told(of(", friction=0.3", "friction=0.4\n"),
+                "part 1 slides at 0.3 g on what it stands on, before the whole");
+    expect_told(of("", "slope='2 deg'\naxes=1\n"),
+                "tips at 0.421 g on what it stands on, before the whole tips at 0.602");
+}
+
 std::vector<std::string> of_campaign(std::string const& waves, std::string const& levels = "values=[3]\n",
                                      std::string const& more = {}) {
     return warnings_of(testing::campaign_from(waves + testing::type_b + testing::levels(levels) + more));

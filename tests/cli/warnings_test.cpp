@@ -118,6 +118,17 @@ TEST_F(Warnings, MassOf138Kilogram) {
     expect_said(records_campaign("pga", "'300 gal'", light), {"b: mass 138 kg", "2.3 kg/m3", "kg, t or lb?"});
 }
 
+//
+TEST_F(Warnings, CaskLooseOnItsPallet) {
+    auto const stacked =
+        records_campaign("pga", "'300 gal'",
+                         "base_width='3.4 m'\nparts=[{kind='cylinder', mass='117 t', diameter=2.5, "
+                         "height=5.4, bottom=0.35}, {kind='box', mass='21 t', width=3.4, height=0.35}]\n");
+    expect_said(stacked, {"b: part 1 tips at 0.463 g", "before the whole tips at 0.651 g"});
+    ASSERT_EQ(overturn(folder, {"report", "c.h5", "-o", "c.html"}).code, 0);
+    EXPECT_NE(folder.read("c.html").find("part 1 tips at 0.463 g"), std::string::npos);
+}
+
 TEST_F(Warnings, PgvOf5000Kine) {
     expect_said(records_campaign("pgv", "50"), {"levels up to pgv 50 m/s = 5000 kine", "Write \"50 kine\""});
     expect_said(records_campaign("pga", "300"), {"levels up to pga 300 m/s2 = 30000 gal", "Write \"300 gal\""});

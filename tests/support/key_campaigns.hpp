@@ -78,7 +78,7 @@ inline std::vector<std::string> key_campaigns() {
         "[[bodies]]\nfile='body.toml'\nname='other'\naxes=1\noffset='1 cm'\nslope='0.1 deg'\ninitial_tilt='0.1 deg'\n");
     standing(
         "[[bodies]]\nbase_width=1.4\n[[bodies.parts]]\nkind='cylinder'\nmass=1000\ndiameter=1\nheight=2\nbottom=0.1\n"
-        "[[bodies.parts]]\nkind='box'\nmass=1000\nwidth=1\nheight=0.1\n");
+        "[[bodies.parts]]\nkind='box'\nmass=1000\nwidth=1\nheight=0.1\nfastened=true\nfriction=0.4\n");
     standing(
         "[[bodies]]\nmass={distribution='normal', mean='10 t', deviation='1 t', low='8 t', high='12 t'}\n"
         "base_width=1.4\ncentre_height={distribution='uniform', low=0.9, high=1.1}\ninertia='uniform-block'\n"

@@ -23,6 +23,14 @@ constexpr config::Keys part_keys{
     config::number_key("height", Dimension::length, Range::not_negative(), "of the part; of a point above the ground"),
     config::number_key("bottom", Dimension::length, Range::not_negative(), "height of its lower end above the ground")
         .otherwise(0)
+        .only("kind = cylinder or box"),
+    config::boolean_key(
+        "fastened", "it is held on the part that it stands on; else a warning tells where it would tip or slide first")
+        .otherwise(false)
+        .only("kind = cylinder or box"),
+    config::number_key("friction", Dimension::none, Range::not_negative(),
+                       "static coefficient on the part that it stands on")
+        .optional()
         .only("kind = cylinder or box")};
 
 }  // namespace
@@ -31,6 +39,10 @@ constinit config::KeyTable const part_table{.meaning = "one part of a body, on i
 
 std::vector<BodyPart> read_parts(Table const& table) {
     std::vector<BodyPart> parts;
+    auto const standing = [](Table const& entry) {
+        return Standing{.fastened = entry.boolean(part_keys["fastened"]),
+                        .friction = entry.maybe_number(part_keys["friction"])};
+    };
     config::Given const solid{.range = Range::positive()};
     for (auto const& entry : table.children("parts")) {
         auto const kind = entry.text(part_keys["kind"]);
@@ -39,12 +51,14 @@ std::vector<BodyPart> read_parts(Table const& table) {
             parts.emplace_back(Cylinder{.mass_kg = mass,
                                         .radius_m = 0.5 * entry.number(part_keys["diameter"]),
                                         .height_m = entry.number(part_keys["height"], solid),
-                                        .bottom_height_m = entry.number(part_keys["bottom"])});
+                                        .bottom_height_m = entry.number(part_keys["bottom"]),
+                                        .standing = standing(entry)});
         } else if (kind == "box") {
             parts.emplace_back(Box{.mass_kg = mass,
                                    .width_m = entry.number(part_keys["width"]),
                                    .height_m = entry.number(part_keys["height"], solid),
-                                   .bottom_height_m = entry.number(part_keys["bottom"])});
+                                   .bottom_height_m = entry.number(part_keys["bottom"]),
+                                   .standing = standing(entry)});
         } else if (kind == "point") {
             parts.emplace_back(PointMass{.mass_kg = mass, .height_m = entry.number(part_keys["height"])});
         } else {

@@ -1,0 +1,50 @@
+#include "campaign/detail/loose_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "body/joints.hpp"
+
+namespace overturn {
+namespace {
+
+// The ground that falls by an angle helps the acceleration: a limit tan(x) is tan(x - slope) towards the valley.
+double on_slope(double limit, double slope_rad) { return std::tan(std::atan(limit) - std::abs(slope_rad)); }
+
+std::string numbers(std::vector<std::size_t> const& parts) {
+    std::vector<std::size_t> from_one;
+    std::ranges::transform(parts, std::back_inserter(from_one), [](std::size_t part) { return part + 1; });
+    return fmt::format("part{} {}", parts.size() > 1 ? "s" : "", fmt::join(from_one, " and "));
+}
+
+}  // namespace
+
+std::vector<std::string> loose_parts(BodySpec const& spec) {
+    auto const& body = spec.body;
+    double const tips = body.uplift_acceleration_mps2() / body.gravity_mps2();
+    double const slides = spec.scatter.friction ? on_slope(spec.scatter.friction->highest(), body.slope_rad()) : tips;
+    bool const whole_slides = slides < tips;
+    double const whole = std::min(tips, slides);
+    std::vector<std::string> lines;
+    for (auto const& joint : joints_of(spec.parts)) {
+        double const parts_at = on_slope(joint.parts_at(), body.slope_rad());
+        if (joint.fastened || parts_at >= whole) {
+            continue;
+        }
+        lines.push_back(fmt::format(
+            "{} {} at {:.3g} g on what {} on, before the whole {} at {:.3g} g (all parts are computed as one body). "
+            "State fastened = true there if nothing can move; else add a body of all above that joint: mass {:.4g} t, "
+            "base_width {:.4g} m, centre_height {:.4g} m",
+            numbers(joint.parts),
+            joint.parts.size() > 1 ? (joint.slides_first() ? "slide" : "tip")
+                                   : (joint.slides_first() ? "slides" : "tips"),
+            parts_at, joint.parts.size() > 1 ? "they stand" : "it stands", whole_slides ? "slides" : "tips", whole,
+            joint.mass_kg / 1000, 2 * joint.half_width_m, joint.centre_above_m));
+    }
+    return lines;
+}
+
+}  // namespace overturn
