@@ -21,6 +21,12 @@ constexpr std::array slip_quantities{std::string_view("peak_slip"), std::string_
 constexpr std::array base_properties{std::string_view("restitution"), std::string_view("corner_share"),
                                      std::string_view("normal_restitution")};
 
+// Unknown where what decides where a body goes was called for and left out.
+constexpr std::array places{
+    std::string_view("residual_x"),   std::string_view("residual_y"),    std::string_view("edge_x_most"),
+    std::string_view("edge_x_least"), std::string_view("edge_y_most"),   std::string_view("edge_y_least"),
+    std::string_view("peak_top"),     std::string_view("rotation_most"), std::string_view("rotation_least")};
+
 template <std::size_t Count> bool is_among(std::array<std::string_view, Count> const& names, std::string_view name) {
     return std::ranges::find(names, name) != names.end();
 }
@@ -60,7 +66,10 @@ std::span<LimitQuantity const> limit_quantities() {
             for (auto const& field : model.traits().fields) {
                 bool const known = std::ranges::find(all, field.name, &LimitQuantity::name) != all.end();
                 if (is_a_response(field) && !known && !is_among(base_properties, field.name)) {
-                    all.push_back({field.name, field.units, field.description, model.traits().brings(), false});
+                    // A rigid body has places too, of which slip decides; vertical motion it has where the wave does.
+                    auto const brings = model.traits().brings() & ~mask_of(Effect::vertical);
+                    auto const needs = brings != 0 ? brings : mask_of(Effect::sliding);
+                    all.push_back({field.name, field.units, field.description, needs, false});
                 }
             }
         }
@@ -154,10 +163,14 @@ bool LimitJudge::reads_extra() const { return !own_.empty(); }
 
 // NaN where it is unknown.
 double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const {
+    auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
     if (columns_[limit] != nullptr) {
-        auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
         bool const answered = (missed & limits_[limit].quantity.needs) == 0;
         return answered ? value_at(bytes_of(row), *columns_[limit]) : never;
+    }
+    constexpr auto decide_places = mask_of(Effect::sliding) | mask_of(Effect::spatial);
+    if (is_among(places, limits_[limit].quantity.name) && (missed & decide_places) != 0) {
+        return never;
     }
     auto const part = std::ranges::find_if(
         own_, [&](Own const& candidate) { return candidate.limit == limit && candidate.model == row.model; });

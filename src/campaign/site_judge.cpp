@@ -14,6 +14,10 @@ namespace {
 // In the order of Sides.
 constexpr std::array<std::string_view, Sides::count> edge_columns{"edge_x_most", "edge_x_least", "edge_y_most",
                                                                   "edge_y_least"};
+constexpr std::array<std::string_view, 2> rotation_columns{"rotation_most", "rotation_least"};
+
+// Towards a side, of what is stored with its sign.
+double towards(std::size_t side, double value) { return side % 2 == 0 ? value : -value; }
 
 // Where a column lies in the record of all models' own; empty: this model has none of that name.
 std::optional<Field> own_field(ModelTraits const& traits, std::size_t offset, std::string_view name) {
@@ -41,7 +45,7 @@ double sine_of_lean(double angle_rad) { return std::sin(std::min(angle_rad, pi /
 
 // Towards +x (side 1) or -x. Of two corners that differ the row has the rotation that came nearest to its own corner's
 // alpha: over the other one it may have been larger, by as much as that one's alpha is.
-double tilt_towards(double side, TrialRow const& row, RigidBody const& body) {
+double largest_tilt(double side, TrialRow const& row, RigidBody const& body) {
     if (!body.lopsided() || entry_of(row.verdict).fell) {
         return row.peak_rotation_rad;
     }
@@ -68,15 +72,14 @@ double followed_until_s(TrialRow const& row) {
 SiteJudge::SiteJudge(Site const& site, std::span<BodySpec const> bodies, ModelSelector const& selector)
     : site_(site), bodies_(bodies), bases_(bodies.begin(), bodies.end()) {
     for (auto const& [traits, offset] : selector.extra_parts()) {
-        auto const yaw = own_field(*traits, offset, "peak_yaw");
-        OfModel model{traits->number, {}, yaw.value_or(Field{})};
-        bool all = yaw.has_value();
+        OfModel model{traits->number, {}, own_field(*traits, offset, "peak_yaw"), {}};
         for (std::size_t i = 0; i < Sides::count; ++i) {
-            auto const edge = own_field(*traits, offset, edge_columns[i]);
-            all = all && edge.has_value();
-            model.edges[i] = edge.value_or(Field{});
+            model.edges[i] = own_field(*traits, offset, edge_columns[i]);
         }
-        if (all) {
+        for (std::size_t i = 0; i < rotation_columns.size(); ++i) {
+            model.rotations[i] = own_field(*traits, offset, rotation_columns[i]);
+        }
+        if (model.edges[0] && model.edges[1]) {
             models_.push_back(std::move(model));
         }
     }
@@ -92,11 +95,11 @@ std::optional<std::size_t> SiteJudge::neighbour_of(std::int64_t body) const {
 SiteJudge::PerSide SiteJudge::spatial_ways(Trial const& trial, OfModel const& model) const {
     auto const& base = bases_[trial.row.body];
     double const tilted_m = base.farthest_m() * (1 - std::cos(std::min(trial.row.peak_rotation_rad, pi / 2)));
-    double const turn_rad = std::abs(real_at(trial.extra, model.yaw));
+    double const turn_rad = std::abs(real_at(trial.extra, *model.yaw));
     PerSide ways{};
     for (std::size_t i = 0; i < Sides::count; ++i) {
         double const rest_m = base.within_m(i, 0);
-        double const far_m = (i % 2 == 0 ? 1 : -1) * real_at(trial.extra, model.edges[i]);
+        double const far_m = towards(i, real_at(trial.extra, *model.edges[i]));
         double const middle_m = far_m - base.farthest_m() + tilted_m;
         double const turned_m = middle_m + base.within_m(i, turn_rad) + tilted_m;
         ways[i] = std::min(far_m, turned_m) - rest_m;
@@ -104,28 +107,55 @@ SiteJudge::PerSide SiteJudge::spatial_ways(Trial const& trial, OfModel const& mo
     return ways;
 }
 
-SiteJudge::PerSide SiteJudge::base_ways(Trial const& trial) const {
-    auto const model = std::ranges::find(models_, trial.row.model, &OfModel::model);
-    if (model != models_.end() && !trial.extra.empty()) {
-        auto ways = spatial_ways(trial, *model);
-        for (auto& way : ways) {
-            way = way < 0 ? 0 : way;  // what is not known stays so
-        }
-        return ways;
-    }
-    double const slip_m = trial.row.peak_slip_m;
-    return {slip_m, slip_m, 0, 0};
+SiteJudge::PerSide SiteJudge::planar_ways(Trial const& trial, OfModel const& model) const {
+    double const rest_m = bodies_[trial.row.body].body.half_width_m();
+    auto const way_m = [&](std::size_t side) {
+        return towards(side, real_at(trial.extra, *model.edges.at(side))) - rest_m;
+    };
+    return {way_m(0), way_m(1), 0, 0};
 }
 
-SiteJudge::PerSide SiteJudge::leans(TrialRow const& row) const {
+SiteJudge::OfModel const* SiteJudge::model_of(Trial const& trial) const {
+    auto const model = std::ranges::find(models_, trial.row.model, &OfModel::model);
+    return model == models_.end() || trial.extra.empty() ? nullptr : &*model;
+}
+
+// A file made before planar models told the way of the edge has the slip alone.
+SiteJudge::PerSide SiteJudge::base_ways(Trial const& trial) const {
+    double const slip_m = trial.row.peak_slip_m;
+    auto const* const model = model_of(trial);
+    if (model == nullptr) {
+        return {slip_m, slip_m, 0, 0};
+    }
+    auto ways = model->is_spatial() ? spatial_ways(trial, *model) : planar_ways(trial, *model);
+    for (auto& way : ways) {
+        bool const unknown = std::isnan(way) && !model->is_spatial();
+        way = unknown ? slip_m : way < 0 ? 0 : way;  // what space does not know stays so
+    }
+    return ways;
+}
+
+double SiteJudge::tilt_towards(std::size_t side, Trial const& trial) const {
+    auto const* const model = model_of(trial);
+    if (model != nullptr && model->rotations.at(side)) {
+        double const told = towards(side, real_at(trial.extra, *model->rotations.at(side)));
+        if (!std::isnan(told)) {
+            return told;
+        }
+    }
+    return largest_tilt(side == 0 ? 1 : -1, trial.row, bodies_[trial.row.body].body);
+}
+
+SiteJudge::PerSide SiteJudge::leans(Trial const& trial) const {
+    auto const& row = trial.row;
     auto const& spec = bodies_[row.body];
     double const top_m = site_.top_m(spec, row.centre_height_m);
     auto const& body = spec.body;
     double const slope_rad = body.slope_rad();
     bool const in_space = has(static_cast<EffectMask>(row.effects), Effect::spatial);
     double const across_m = in_space ? top_m * sine_of_lean(row.peak_rotation_rad) : 0;
-    return {top_m * sine_of_lean(tilt_towards(1, row, body) + std::max(0.0, slope_rad)),
-            top_m * sine_of_lean(tilt_towards(-1, row, body) + std::max(0.0, -slope_rad)), across_m, across_m};
+    return {top_m * sine_of_lean(tilt_towards(0, trial) + std::max(0.0, slope_rad)),
+            top_m * sine_of_lean(tilt_towards(1, trial) + std::max(0.0, -slope_rad)), across_m, across_m};
 }
 
 std::optional<SiteJudge::Ways> SiteJudge::ways_of(Trial const& trial) const {
@@ -134,7 +164,7 @@ std::optional<SiteJudge::Ways> SiteJudge::ways_of(Trial const& trial) const {
     }
     std::size_t const number = trial.row.body;
     double const widest_m = site_.widest_m(bodies_[number]);
-    auto const lean_m = leans(trial.row);
+    auto const lean_m = leans(trial);
     Ways ways{base_ways(trial), {}};
     for (std::size_t i = 0; i < Sides::count; ++i) {
         double const beyond_m = std::max(0.0, widest_m - bases_[number].within_m(i, 0));

@@ -26,9 +26,9 @@ namespace overturn {
 /// A direction's reach is bounded from above: how far the base's edge went that way, what of the body reaches beyond
 /// its base, and its height times the sine of its largest tilt, as if all were at the same instant and the tilt that
 /// way. (A body of height H that turns by theta about its leading corner has its top H sin theta beyond that corner; a
-/// place o beyond the base and z high is o cos theta + z sin theta beyond it.) In a plane neither slip nor tilt is
-/// known to be to one side rather than the other; across it nothing moves. On a slope it leans towards the valley from
-/// the first. In space the way of the base's edge is known for each side.
+/// place o beyond the base and z high is o cos theta + z sin theta beyond it.) The way of the base's edge is known for
+/// each side; in a plane nothing moves across it. To which side it tilted only points in a plane tell: elsewhere it may
+/// have been either. On a slope it leans towards the valley from the first.
 class SiteJudge {
   public:
     /// \param bodies and `site` outlive it
@@ -56,14 +56,21 @@ class SiteJudge {
     };
     [[nodiscard]] std::optional<Ways> ways_of(Trial const& trial) const;
     [[nodiscard]] PerSide base_ways(Trial const& trial) const;
-    [[nodiscard]] PerSide leans(TrialRow const& row) const;
+    [[nodiscard]] PerSide leans(Trial const& trial) const;
+    [[nodiscard]] double tilt_towards(std::size_t side, Trial const& trial) const;
 
     struct OfModel {
         std::int64_t model;
-        std::array<Field, Sides::count> edges;  ///< their offsets are those in the record
-        Field yaw;                              ///< likewise
+        // What it has of these; their offsets are those in the record.
+        std::array<std::optional<Field>, Sides::count> edges;
+        std::optional<Field> yaw;
+        std::array<std::optional<Field>, 2> rotations;  ///< towards +x and -x
+
+        [[nodiscard]] bool is_spatial() const { return yaw && edges[2] && edges[3]; }
     };
+    [[nodiscard]] OfModel const* model_of(Trial const& trial) const;
     [[nodiscard]] PerSide spatial_ways(Trial const& trial, OfModel const& model) const;
+    [[nodiscard]] PerSide planar_ways(Trial const& trial, OfModel const& model) const;
 
     Site const& site_;
     std::span<BodySpec const> bodies_;

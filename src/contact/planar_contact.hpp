@@ -24,6 +24,10 @@ struct ContactQuantities {
     double peak_crush_m = never;
     double peak_contact_force_ratio = never;
     double peak_rise_m = never;
+    double residual_x_m = never;                           ///< of the base's middle, at the end
+    double edge_x_most_m = never, edge_x_least_m = never;  ///< farthest that a corner of the base has reached
+    double peak_top_m = never;                             ///< longest way of the axis at twice the height h
+    double rotation_most_rad = never, rotation_least_rad = never;
     double restitution = never, corner_share = never, normal_restitution = never;  ///< of the base, as matched
 };
 template <> [[nodiscard]] Fields const& fields_of<ContactQuantities>();

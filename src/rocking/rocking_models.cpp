@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <vector>
 
 #include "body/response_velocity.hpp"
@@ -67,6 +68,23 @@ void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask call
     outcome.response_velocity_mps = response_velocity(*trial.body, rocking.peak_rotation_rad, rocking.peak_side);
     outcome.called = called;
     fill_landing(rocking, *trial.body, outcome);
+}
+
+RigidQuantities quantities_of(RockingOutcome const& rocking, double half_width_m, Outcome const& outcome, bool slips) {
+    bool const unfollowed = !slips && has(static_cast<EffectMask>(outcome.called), Effect::sliding);
+    if (unfollowed || !std::isnan(outcome.contact_lost_s) || outcome.verdict == Verdict::contact_lost
+        || outcome.verdict == Verdict::failed) {
+        return {};
+    }
+    return {half_width_m + rocking.most_slip_m, rocking.least_slip_m - half_width_m,
+            outcome.verdict == Verdict::overturned ? never : rocking.residual_slip_m};
+}
+
+void put_quantities(Batch const& batch, std::size_t i, RigidQuantities const& quantities) {
+    if (!batch.extra.empty()) {
+        constexpr std::size_t row = sizeof(RigidQuantities);
+        std::memcpy(batch.extra.subspan(i * row, row).data(), &quantities, row);
+    }
 }
 
 /// Instants of the kernel as rows of channels.
@@ -136,7 +154,10 @@ class RockingModel : public Model {
             simulate_rocking(trials, accuracy_, slip, outcomes);
         }
         for (std::size_t i = 0; i < which.size(); ++i) {
-            conclude_one(outcomes[i], batch.trials[which[i]], batch.outcomes[which[i]]);
+            auto const& trial = batch.trials[which[i]];
+            conclude_one(outcomes[i], trial, batch.outcomes[which[i]]);
+            put_quantities(batch, which[i],
+                           quantities_of(outcomes[i], trial.body->half_width_m(), batch.outcomes[which[i]], false));
             if (slip == Slip::detected) {
                 checkpoints[which[i]] = stopped[i];
             }
@@ -181,6 +202,7 @@ class SlidingModel : public Model {
             bool const asked = has(static_cast<EffectMask>(batch.outcomes[i].called), Effect::sliding);
             bool const called = asked || outcome.peak_slip_m > 0;
             conclude(outcome, trial, called ? mask_of(Effect::sliding) : 0, batch.outcomes[i]);
+            put_quantities(batch, i, quantities_of(outcome, trial.body->half_width_m(), batch.outcomes[i], true));
         }
         return nullptr;
     }
@@ -191,12 +213,25 @@ class SlidingModel : public Model {
 
 }  // namespace
 
+template <> Fields const& fields_of<RigidQuantities>() {
+    using Q = RigidQuantities;
+    static Fields const fields{
+        field<&Q::edge_x_most_m>("edge_x_most", "m",
+                                 "farthest that the base's edge reached towards +x, from where the axis stood, or "
+                                 "would have, laid down where its other edge stood"),
+        field<&Q::edge_x_least_m>("edge_x_least", "m", "the same towards -x, negative"),
+        field<&Q::residual_x_m>("residual_x", "m", "place of the base's centre along x at the end; NaN: it fell")};
+    return fields;
+}
+
 ModelTraits const& rocking_traits() {
     static ModelTraits const traits{.name = "rocking",
                                     .number = 1,
                                     .holds = mask_of(Effect::vertical),
                                     .effects = vertical_effect,
-                                    .channels = channels};
+                                    .channels = channels,
+                                    .fields = fields_of<RigidQuantities>(),
+                                    .default_row = default_row_of<RigidQuantities>()};
     return traits;
 }
 
@@ -207,7 +242,9 @@ ModelTraits const& sliding_traits() {
                                     .always = mask_of(Effect::sliding),
                                     .effects = sliding_effect,
                                     .reasons = sliding_reasons,
-                                    .channels = channels};
+                                    .channels = channels,
+                                    .fields = fields_of<RigidQuantities>(),
+                                    .default_row = default_row_of<RigidQuantities>()};
     return traits;
 }
 

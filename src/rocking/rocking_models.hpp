@@ -9,6 +9,16 @@
 
 namespace overturn {
 
+/// What a rigid base has to say beside every model's outcome. Unknown where friction gave out and nothing slips, where
+/// the base flew, and without a verdict.
+struct RigidQuantities {
+    /// Farthest that the base's edge was or, of a corner that the body was lifted off, would have been, laid down
+    /// there.
+    double edge_x_most_m = never, edge_x_least_m = never;
+    double residual_x_m = never;  ///< of the base's middle, at the end, the body upright
+};
+template <> [[nodiscard]] Fields const& fields_of<RigidQuantities>();
+
 [[nodiscard]] ModelTraits const& rocking_traits();
 [[nodiscard]] ModelTraits const& sliding_traits();
 

@@ -74,6 +74,9 @@ constexpr std::array came{
     Came{5, "trials",
          "edge_margin landing_energy landing_spin landing_top_velocity landing_velocity least_clearance "
          "standardised_cav"},
+    Came{5, "trials/contact", "edge_x_least edge_x_most peak_top residual_x rotation_least rotation_most"},
+    Came{5, "trials/rocking"},
+    Came{5, "trials/sliding"},
     Came{5, "trials/spatial",
          "edge_x_least edge_x_most edge_y_least edge_y_most landing_azimuth peak_top residual_x residual_y"},
     Came{5, "waves", "cav standardised_cav"},

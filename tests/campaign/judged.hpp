@@ -10,8 +10,10 @@
 #include <gtest/gtest.h>
 
 #include "campaign/site_judge.hpp"
+#include "contact/contact_model.hpp"
 #include "core/units.hpp"
 #include "response/registry.hpp"
+#include "rocking/rocking_models.hpp"
 #include "spatial/spatial_model.hpp"
 #include "support/campaigns.hpp"
 
@@ -66,16 +68,39 @@ class Judged {
         return filled(row);
     }
 
+    /// Of a body on points in a plane. \param edges_m where its base reached towards +x and -x \param rotations_rad to
+    /// either side
+    TrialRow on_points(std::array<double, 2> const& edges_m, std::array<double, 2> const& rotations_rad) {
+        auto const number = contact_traits().number;
+        put("edge_x_most", edges_m[0], number);
+        put("edge_x_least", -edges_m[1], number);
+        put("rotation_most", rotations_rad[0], number);
+        put("rotation_least", -rotations_rad[1], number);
+        auto row = moved(std::max(edges_m[0], edges_m[1]), std::max(rotations_rad[0], rotations_rad[1]));
+        row.model = number;
+        row.effects = mask_of(Effect::contact) | mask_of(Effect::sliding);
+        return filled(row);
+    }
+    /// Of a rigid body in a plane, that came as far towards +x and -x.
+    TrialRow sliding(double tilt_rad, std::array<double, 2> const& edges_m) {
+        put("edge_x_most", edges_m[0], sliding_traits().number);
+        put("edge_x_least", -edges_m[1], sliding_traits().number);
+        auto row = moved(std::max(edges_m[0], edges_m[1]), tilt_rad);
+        row.model = sliding_traits().number;
+        row.effects = mask_of(Effect::sliding);
+        return filled(row);
+    }
+
     CampaignSpec spec;
     ModelSelector selector;
     SiteJudge judge;
     std::vector<std::byte> extra;
 
   private:
-    void put(std::string_view name, double value) {
+    void put(std::string_view name, double value, std::int64_t model = spatial_traits().number) {
         for (auto const& [traits, offset] : selector.extra_parts()) {
             auto const field = std::ranges::find(traits->fields, name, &Field::name);
-            if (traits->number == spatial_traits().number) {
+            if (traits->number == model) {
                 ASSERT_NE(field, traits->fields.end());
                 std::memcpy(extra.data() + offset + field->offset, &value, sizeof value);
             }

@@ -144,6 +144,36 @@ TEST(Site, InSpaceEachSideCountsForItself) {
     EXPECT_NEAR(round.edge_margin_m, 0.9, 1e-12) << "of a round base the circle is the edge";
 }
 
+// in a plane each side has its own way too; only points tell to which side the body tilted, and a body that fell
+// reaches its neighbour with its whole height.
+TEST(Site, InAPlaneEachSideCountsForItself) {
+    double const b = 0.45;
+    auto const left = [&](std::string const& site, double tilt_rad) {
+        return Judged(site).sliding(tilt_rad, {b + 0.3, b + 0.1});
+    };
+    EXPECT_NEAR(left("wall={plus_x='1 m'}\n", 0).least_clearance_m, 0.7, 1e-12);
+    EXPECT_NEAR(left("wall={minus_x='1 m'}\n", 0).least_clearance_m, 0.9, 1e-12);
+    EXPECT_NEAR(left("edge={minus_x='0.2 m'}\n", 0.2).edge_margin_m, 0.1, 1e-12);
+    EXPECT_NEAR(left("wall={minus_x='1 m'}\n", 0.2).least_clearance_m, 0.9 - height_m * std::sin(0.2), 1e-12);
+    EXPECT_NEAR(left("cask={minus_x='1 m'}\n", 0).least_clearance_m, 1 - 0.1 - 0.3, 1e-12)
+        << "the like may be mirrored";
+    auto const back = Judged("edge={plus_x='0.2 m'}\n").sliding(0, {b - 0.1, b + 0.4});
+    EXPECT_NEAR(back.edge_margin_m, 0.2, 1e-12) << "never farther from it than it stood";
+
+    auto const tilted = [&](std::string const& site) {
+        return 3 - Judged(site).on_points({b + 0.1, b}, {0.3, 0.05}).least_clearance_m;
+    };
+    EXPECT_NEAR(tilted("wall={plus_x='3 m'}\n"), 0.1 + height_m * std::sin(0.3), 1e-12);
+    EXPECT_NEAR(tilted("wall={minus_x='3 m'}\n"), height_m * std::sin(0.05), 1e-12);
+    auto const fallen = [&](std::string const& site) {
+        return 3 - Judged(site).on_points({b + 0.1, b}, {pi / 2, 0.05}).least_clearance_m;
+    };
+    EXPECT_NEAR(fallen("wall={plus_x='3 m'}\n"), 0.1 + height_m, 1e-12);
+    EXPECT_NEAR(fallen("wall={minus_x='3 m'}\n"), height_m * std::sin(0.05), 1e-12);
+    EXPECT_NEAR(3 - Judged("wall={minus_x='3 m'}\n").sliding(pi / 2, {b, b}).least_clearance_m, height_m, 1e-12)
+        << "a rigid body does not say to which side it fell";
+}
+
 // a square that turns about its axis reaches out with its corners, at most with the circle round it.
 TEST(Site, ATurnReachesOutWithTheCorners) {
     double const b = 0.45;

@@ -2,6 +2,7 @@
 // together leave at least, never more than there was, and limit states of that come with it.
 #include "campaign/site.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -54,6 +55,49 @@ TEST(Site, TrialsHaveTheirColumns) {
     EXPECT_DOUBLE_EQ(row.edge_margin_m, 2 - row.peak_slip_m);
 }
 
+// What a trial says of its own under this name; NaN: its model says nothing.
+double own(CampaignSpec const& spec, TrialRows const& trials, std::string_view name, std::size_t i = 0) {
+    ModelSelector const selector(spec.effects, spec.accuracy);
+    for (auto const& [traits, offset] : selector.extra_parts()) {
+        auto const field = std::ranges::find(traits->fields, name, &Field::name);
+        if (traits->number == trials.rows[i].model && field != traits->fields.end()) {
+            return real_at(std::span(trials.extra).subspan(i * selector.extra_bytes() + offset), *field);
+        }
+    }
+    return never;
+}
+
+// a rigid trial says how far either edge of its base went, of which the farther is its slip; one without
+// friction stays where it stands, and one that should have slipped and may not does not know.
+TEST(Site, RigidTrialsSayHowFarEachEdgeWent) {
+    double const b = 0.45;
+    auto const of = [](CampaignSpec const& spec) {
+        PhaseSeconds seconds;
+        return run_trial(spec, prepare_wave(spec, Plan(spec), 1, seconds), 0, 1);
+    };
+    for (std::string const side : {"plus_x", "minus_x"}) {
+        auto const spec = campaign_from(with_site("edge={" + side + "='2 m'}\n")
+                                        + "[[limits]]\nname='far'\nquantity='edge_x_most'\nabove='46 cm'\n");
+        auto const trials = of(spec);
+        auto const& row = trials.rows.front();
+        double const right = own(spec, trials, "edge_x_most") - b;
+        double const left = -own(spec, trials, "edge_x_least") - b;
+        ASSERT_GT(row.peak_slip_m, 0.02);
+        EXPECT_NEAR(std::max(right, left), row.peak_slip_m, 1e-12);
+        EXPECT_GT(std::abs(right - left), 1e-3);
+        EXPECT_NEAR(row.edge_margin_m, 2 - (side == "plus_x" ? right : left), 1e-12);
+        EXPECT_NEAR(own(spec, trials, "residual_x"), row.residual_slip_m, 1e-15);
+        LimitJudge const judge(spec.limits, ModelSelector(spec.effects, spec.accuracy));
+        EXPECT_EQ(judge.judge(row, trials.extra).has_passed(3), right > 0.01);
+    }
+    auto const holds = campaign_from(with_site("edge='2 m'\n", testing::type_b));
+    EXPECT_EQ(own(holds, of(holds), "edge_x_most"), b);
+    EXPECT_EQ(own(holds, of(holds), "edge_x_least"), -b);
+    auto const may_not = campaign_from(testing::quick_waves + testing::slides + testing::levels("values=[4,8]\n")
+                                       + "[effects]\nmode='none'\n");
+    EXPECT_TRUE(std::isnan(own(may_not, of(may_not), "edge_x_most")));
+}
+
 // with another body as the other cask a trial alone, and among all of its waves, says the same: gap less both.
 TEST(Site, TheOtherCaskIsOfTheSameWaveAndLevel) {
     std::string const bodies = testing::slides + testing::type_a + "friction=0.2\n";
@@ -72,8 +116,15 @@ TEST(Site, TheOtherCaskIsOfTheSameWaveAndLevel) {
         auto const& row = all.rows[i];
         auto const& other = all.rows[i / 4 * 4 + 2 + i % 2];
         ASSERT_EQ(other.body, 1);
-        auto const way = [](TrialRow const& of) { return of.peak_slip_m + height_m * std::sin(of.peak_rotation_rad); };
-        EXPECT_DOUBLE_EQ(row.least_clearance_m, 0.9 - (way(row) + way(other))) << i;
+        auto const slip = [&](std::size_t place, bool right) {
+            double const b = all.rows[place].body == 0 ? 0.45 : 0.68;
+            return right ? own(spec, all, "edge_x_most", place) - b : -own(spec, all, "edge_x_least", place) - b;
+        };
+        auto const j = i / 4 * 4 + 2 + i % 2;
+        double const alike = 2 * std::max(slip(i, true), slip(i, false));  // it is as far to either side
+        double const apart = i == j ? alike : std::max(slip(i, true) + slip(j, false), slip(i, false) + slip(j, true));
+        double const leans = height_m * (std::sin(row.peak_rotation_rad) + std::sin(other.peak_rotation_rad));
+        EXPECT_NEAR(row.least_clearance_m, 0.9 - apart - leans, 1e-12) << i;
         auto const alone = run_trial(spec, waves[i / 4], row.body, row.level).rows.front();
         EXPECT_EQ(alone.least_clearance_m, row.least_clearance_m) << i;
     }

@@ -273,5 +273,30 @@ TEST(SlidingBlock, VerticalAccelerationChangesItsWeight) {
     EXPECT_TRUE(near(out.peak_slip_m, 0.5 * v * length + v * v / (0.6 * g0), testing::exact_formula));
 }
 
+// how far it slipped to either side is what every instant says, and goes to the other side with the wave.
+TEST(Sliding, SlipsToEitherSide) {
+    std::vector<double> wave(400, 0.0);
+    for (std::size_t i = 0; i < wave.size(); ++i) {
+        double const t = 0.01 * static_cast<double>(i);
+        wave[i] = (t < 2 ? 6 : 4) * std::sin(4 * t * (1 + 0.3 * t));
+    }
+    auto const block = testing::type_a(0.3);
+    History history;
+    auto const out = simulate_slipping(block, shaking_of(wave, 0.01), &history);
+    double most = 0;
+    double least = 0;
+    for (auto const& at : history.instants) {
+        most = std::max(most, at.slip_m);
+        least = std::min(least, at.slip_m);
+    }
+    EXPECT_NEAR(out.most_slip_m, most, 1e-12);
+    EXPECT_NEAR(out.least_slip_m, least, 1e-12);
+    EXPECT_EQ(std::max(out.most_slip_m, -out.least_slip_m), out.peak_slip_m);
+    EXPECT_GT(std::abs(out.most_slip_m + out.least_slip_m), 1e-3);
+    auto const other = simulate_slipping(block, shaking_of(testing::mirrored(wave), 0.01));
+    EXPECT_EQ(other.most_slip_m, -out.least_slip_m);
+    EXPECT_EQ(other.least_slip_m, -out.most_slip_m);
+}
+
 }  // namespace
 }  // namespace overturn

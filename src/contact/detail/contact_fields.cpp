@@ -70,6 +70,10 @@ void ContactRun::place(ContactStart const& start) {
     put(ContactField::crest, start.rotation_rad);
     put(ContactField::trough, start.rotation_rad);
     put(ContactField::most_rise, get(ContactField::rise));
+    double const middle = start.sway_m - planar_.centre_height_m * get(ContactField::sine);
+    double const reach = planar_.half_width_m * get(ContactField::cosine);
+    put(ContactField::most_x, middle + reach);
+    put(ContactField::least_x, middle - reach);
     put(ContactField::side, start.rotation_rad < 0 ? -1 : 1);
 }
 
@@ -113,6 +117,22 @@ void ContactRun::fill_peaks(ContactOutcome& out) const {
     out.extra.peak_crush_m = deepest_crush();
     out.extra.peak_contact_force_ratio = std::max(1.0, get(ContactField::most_force) / g);
     out.extra.peak_rise_m = get(ContactField::most_rise) + planar_.settlement_m();
+    fill_reach(out);
+}
+
+// With where it ended, after the last step that was looked at.
+void ContactRun::fill_reach(ContactOutcome& out) const {
+    double const h = planar_.centre_height_m;
+    double const middle = get(ContactField::sway) - h * get(ContactField::sine);
+    double const reach = planar_.half_width_m * std::abs(get(ContactField::cosine));
+    double const top = std::abs(get(ContactField::sway) + h * get(ContactField::sine));
+    double const rotation = std::clamp(get(ContactField::rotation), -pi / 2, pi / 2);
+    out.extra.residual_x_m = middle;
+    out.extra.edge_x_most_m = std::max(get(ContactField::most_x), middle + reach);
+    out.extra.edge_x_least_m = std::min(get(ContactField::least_x), middle - reach);
+    out.extra.peak_top_m = std::max(get(ContactField::most_top), top);
+    out.extra.rotation_most_rad = std::max({0.0, out.crest_rad, rotation});
+    out.extra.rotation_least_rad = std::min({0.0, out.trough_rad, rotation});
 }
 
 // As it is at the end of the first step beyond pi/2.

@@ -47,6 +47,7 @@ class ContactRun : public PointRun<ContactRun, ContactField, Spot, ContactLanes<
     void wake();
     void fill_landing(ContactOutcome& out) const;
     void fill_peaks(ContactOutcome& out) const;
+    void fill_reach(ContactOutcome& out) const;
     [[nodiscard]] bool fallen() const;
     [[nodiscard]] bool calm(std::size_t sample) const;
     [[nodiscard]] bool slipped() const;

@@ -86,6 +86,11 @@ OVERTURN_LANES_INLINE void ContactStepper<V, Stride, Points>::log(Motion const& 
     V const middle = at.sway - get(ContactField::height) * at.sine;
     put(ContactField::most_slip,
         max(abs(middle - choose(rotation < zero, -lifted, lifted)), get(ContactField::most_slip)));
+    V const reach = get(ContactField::half_width) * abs(at.cosine);
+    put(ContactField::most_x, max(middle + reach, get(ContactField::most_x)));
+    put(ContactField::least_x, min(middle - reach, get(ContactField::least_x)));
+    put(ContactField::most_top,
+        max(abs(fma(get(ContactField::height), at.sine, at.sway)), get(ContactField::most_top)));
     V const spread = at.spin * get(ContactField::inverse_p);
     V const lean =
         fma(get(ContactField::sine_alpha), abs(at.sine), get(ContactField::cosine_alpha) * (at.cosine - 1.0));

@@ -36,6 +36,9 @@ enum class ContactField : int {
     most_force,
     most_rise,
     most_slip,
+    most_x,       ///< farthest that either corner of the base reached
+    least_x,      ///< likewise
+    most_top,     ///< way of the top, at twice h
     most_energy,  ///< of rocking, over m g R
     uplift_time,  ///< negative: not yet
     loss_time,    ///< likewise

@@ -44,7 +44,11 @@ class TrialLog {
     [[nodiscard]] double energy_at_weaker() const { return energy_; }
     /// Peak energy over m g R of this corner [-].
     [[nodiscard]] double energy() const { return energy_ / weight_; }
-    void raise_slip(double slip_m) { out_.peak_slip_m = std::max(out_.peak_slip_m, std::abs(slip_m)); }
+    void raise_slip(double slip_m) {
+        out_.peak_slip_m = std::max(out_.peak_slip_m, std::abs(slip_m));
+        out_.most_slip_m = std::max(out_.most_slip_m, slip_m);
+        out_.least_slip_m = std::min(out_.least_slip_m, slip_m);
+    }
     void raise_demand(double demand) { out_.friction_demand = std::max(out_.friction_demand, demand); }
     void lower_contact(double normal) { out_.min_contact_force_ratio = std::min(out_.min_contact_force_ratio, normal); }
     /// Monitors the forces on a base that does not slip.
