@@ -24,11 +24,15 @@ struct BasePlan {
     /// bedded base, whose corners stand for half a cell each.
     std::optional<double> corner_share = 1;
     int points = points_across;  ///< evenly spread from corner to corner; of a round base round its rim, 0: continuous
+    double inner_radius_m = 0;   ///< of a round base that bears evenly: what is within it does not [m]
 
     /// Some of the stiffness lies between the corners.
     [[nodiscard]] bool is_bed() const { return shape == BaseShape::square && corner_share != 1; }
-    /// A round base whose rim presses along its whole length, without points and so without directions.
+    /// A round base that presses along its whole rim, or with all of its face, without points and so without
+    /// directions.
     [[nodiscard]] bool continuous() const { return shape == BaseShape::round && points == 0; }
+    /// A continuous disc, or ring between two radii, evenly bedded; else it is the rim alone that bears.
+    [[nodiscard]] bool is_disc() const { return continuous() && !corner_share; }
 };
 
 /// Body, pallet and pad as one mass on one bed of springs: an assumption.
@@ -57,6 +61,8 @@ struct Footing {
     /// About the horizontal axis in the rocking plane (tilting across it), and about the vertical one. Empty: as in the
     /// rocking plane, and the uniform solid of the base [kg m2]
     std::optional<double> inertia_across_kgm2 = {}, inertia_vertical_kgm2 = {};
+    /// Of a continuous rim that stands as points because its pad yields.
+    bool rim_as_points = false;
     /// Whether base or pad were stated at all: a body that says nothing stands on a square base on its corners.
     bool stated = false;
 };

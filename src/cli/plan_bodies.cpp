@@ -16,8 +16,11 @@ namespace {
 std::string base_text(BasePlan const& base) {
     switch (base.shape) {
         case BaseShape::round:
-            return base.continuous() ? std::string("round base on its continuous rim")
-                                     : fmt::format("round base, {} points on its rim", base.points);
+            return base.is_disc() && base.inner_radius_m > 0
+                       ? fmt::format("round base, evenly bedded from {:.4g} m of radius on", base.inner_radius_m)
+                   : base.is_disc()    ? std::string("round base, evenly bedded")
+                   : base.continuous() ? std::string("round base on its continuous rim")
+                                       : fmt::format("round base, {} points on its rim", base.points);
         case BaseShape::polygon:
             return fmt::format("polygon of {} corners", base.corners_m.size());
         case BaseShape::square:

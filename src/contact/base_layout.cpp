@@ -92,6 +92,14 @@ ContactBlock contact_block(RigidBody const& body, BasePlan const& base, Pad cons
     for (auto const& point : block.points) {
         bed += point.stiffness_share * point.offset_m * point.offset_m;
     }
+    if (base.is_disc()) {
+        double const inner = base.inner_radius_m;
+        validate(
+            inner >= 0 && inner < body.half_width_m(),
+            "a ring of {} m within, {} m without (of radius: nothing is left that bears). Lower the inner diameter",
+            inner, body.half_width_m());
+        bed = (body.half_width_m() * body.half_width_m() + inner * inner) / 4;
+    }
     double const w = block.vertical_radps();
     // At 1 the springs no longer hold the body upright against its own weight. Empirical: how near to that the model
     // still means something was not measured.

@@ -127,7 +127,8 @@ double emergent_restitution(RigidBody const& body, BasePlan const& base, Pad con
     auto const lifted = [&](double tilt) { return 2 * std::sin(alpha - tilt / 2) * std::sin(tilt / 2); };
     double const start = start_share * alpha;
     if (base.continuous()) {
-        double const swing = rim_swing_rad(block, start, quarters * quarter_s, accuracy.step_ratio);
+        auto const inner_m = base.is_disc() ? std::optional(base.inner_radius_m) : std::nullopt;
+        double const swing = rim_swing_rad(block, start, quarters * quarter_s, accuracy.step_ratio, inner_m);
         return std::sqrt(lifted(swing) / lifted(start));
     }
     std::array<double, 2> const calm{};

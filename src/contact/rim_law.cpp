@@ -28,11 +28,14 @@ double rebound(double y) {
 using Plane = std::array<double, 7>;
 enum : std::size_t { at_x, at_z, tilt, speed_x, speed_z, spin, shear };
 
-/// The rim in its rocking plane.
+/// The rim, or the face within it, in its rocking plane.
 class RimPlane {
   public:
-    explicit RimPlane(ContactBlock const& plane)
-        : plane_(plane), w_(plane.vertical_radps()), damping_(rim_damping(plane.pad.normal_restitution)) {}
+    RimPlane(ContactBlock const& plane, std::optional<double> const& inner_m)
+        : plane_(plane),
+          inner_m_(inner_m),
+          w_(plane.vertical_radps()),
+          damping_(rim_damping(plane.pad.normal_restitution)) {}
 
     /// Leaning at rest, so deep that the rim bears the weight.
     [[nodiscard]] Plane leaning(double start_rad) const {
@@ -87,6 +90,9 @@ class RimPlane {
     [[nodiscard]] Pressed pressed(Round const& depth, Round const& approach) const {
         double const share = depth.change > 0 ? (depth.middle + depth.change) / (2 * depth.change) : 1;
         double const arc = 2 * std::asin(std::sqrt(std::clamp(share, 0.0, 1.0)));
+        if (inner_m_) {
+            return pressed_by_strips(depth, approach, arc);
+        }
         double const k = w_ * w_ / (2 * pi);
         double const elastic = 2 * k * (depth.middle * arc + depth.change * std::sin(arc));
         double const moment =
@@ -106,7 +112,35 @@ class RimPlane {
         return {std::max(0.0, press), lever, elastic > 0 ? std::clamp(moment / elastic, 0.0, 1.0) : 1};
     }
 
+    // Chords across the plane, by midpoints.
+    [[nodiscard]] Pressed pressed_by_strips(Round const& depth, Round const& approach, double arc) const {
+        double const r = plane_.half_width_m;
+        double const hole = *inner_m_ / r;
+        double const k = w_ * w_ / (pi * (1 - hole * hole));  // over the radius squared
+        double elastic = 0;
+        double moment = 0;
+        double press = 0;
+        double lever = 0;
+        constexpr int strips = 256;
+        for (int i = 0; i < strips; ++i) {
+            double const angle = (i + 0.5) * arc / strips;
+            double const x = std::cos(angle);
+            double const half = std::sin(angle) - std::sqrt(std::max(0.0, hole * hole - x * x));
+            double const share = 2 * k * half * std::sin(angle) * arc / strips;
+            double const d = std::max(0.0, depth.middle + depth.change * x);
+            double const rate = approach.middle + approach.change * x;
+            double const root = std::sqrt(rate * rate + w_ * w_ * d * d);
+            double const more = root > 0 ? std::max(-d, damping_ * d * rate / root) : 0;
+            elastic += share * d;
+            moment += share * d * x;
+            press += share * (d + more);
+            lever += share * (d + more) * x;
+        }
+        return {std::max(0.0, press), lever, elastic > 0 ? std::clamp(moment / elastic, 0.0, 1.0) : 1};
+    }
+
     ContactBlock const& plane_;
+    std::optional<double> inner_m_;
     double w_, damping_;
 };
 
@@ -148,8 +182,9 @@ double rim_damping(double normal_restitution) {
     return low;
 }
 
-double rim_swing_rad(ContactBlock const& plane, double start_rad, double seconds, double step_ratio) {
-    RimPlane const body(plane);
+double rim_swing_rad(ContactBlock const& plane, double start_rad, double seconds, double step_ratio,
+                     std::optional<double> const& inner_m) {
+    RimPlane const body(plane, inner_m);
     double const steps = std::ceil(seconds * plane.vertical_radps() / step_ratio);
     auto at = body.leaning(start_rad);
     double least = at[tilt];

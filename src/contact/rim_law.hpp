@@ -1,6 +1,8 @@
-/// A continuous rim: how it presses and damps, without points and so without directions. In space it is
-/// spatial/detail/rim_force-inl.hpp; here what both rest on, and the rim in its rocking plane, in plain arithmetic.
+/// A continuous rim, disc or ring: how it presses and damps, without points and so without directions. In space it is
+/// spatial/detail/rim_force-inl.hpp; here what both rest on, and the base in its rocking plane, in plain arithmetic.
 #pragma once
+
+#include <optional>
 
 #include "contact/base_layout.hpp"
 
@@ -15,6 +17,8 @@ namespace overturn {
 /// Free rocking in one plane: the largest tilt to the other side within some time [rad].
 /// \param plane of the body: its sizes, inertia, friction and pad; its points are not used
 /// \param start_rad at rest, the lowest point as deep as the weight presses it
-[[nodiscard]] double rim_swing_rad(ContactBlock const& plane, double start_rad, double seconds, double step_ratio);
+/// \param inner_m of a base that bears evenly from this radius on; empty: on its rim alone
+[[nodiscard]] double rim_swing_rad(ContactBlock const& plane, double start_rad, double seconds, double step_ratio,
+                                   std::optional<double> const& inner_m = {});
 
 }  // namespace overturn

@@ -55,7 +55,7 @@ double rotation_stiffness(SpatialBlock const& block) {
         yy += point.stiffness_share * point.y_m * point.y_m;
     }
     if (block.rim) {
-        xx = yy = block.edge_m * block.edge_m / 2;
+        xx = yy = block.mean_square_m2();
     }
     double const ratio = block.planar.pad.tangential_ratio;
     double const h = block.planar.centre_height_m;
@@ -80,6 +80,13 @@ SpatialBlock spatial_block(RigidBody const& body, Footing const& footing, std::o
     block.edge_m = outline.edge_m;
     block.rim = footing.base.continuous();
     block.reach_m = block.rim ? block.edge_m : 0;
+    if (footing.base.is_disc()) {
+        block.inner_m = footing.base.inner_radius_m;
+    }
+    validate(!block.inner_m || !footing.pad.strength_pa,
+             "a disc or ring on a pad of {} Pa strength (what it crushes it would have to remember by place). Leave "
+             "bedding out and state points: its rim then stands on {}, each of which yields",
+             footing.pad.strength_pa.value_or(0), BasePlan::points_around);
     validate(!block.rim || !footing.pad.strength_pa,
              "a continuous rim on a pad of {} Pa strength (what it crushes it would have to remember by place). State "
              "the base's points: {}",

@@ -88,7 +88,7 @@ void simulate_spatial(std::span<SpatialTrial const> trials, ContactAccuracy cons
     OVERTURN_EXPECT(trials.size() == outcomes.size());
     std::map<spatial::BaseKind, std::vector<std::size_t>> by_kind;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        by_kind[spatial::kind_of(trials[i].block->points)].push_back(i);
+        by_kind[spatial::kind_of(*trials[i].block)].push_back(i);
     }
     for (auto const& [kind, queue] : by_kind) {
         simd::RunBatch<spatial::SpatialRun> batch(trials, queue, accuracy, outcomes);

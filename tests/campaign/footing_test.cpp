@@ -50,6 +50,12 @@ TEST(Footing, EveryKeyIsRead) {
     EXPECT_EQ(footing.inertia_across_kgm2, 5e3);
     EXPECT_EQ(footing.inertia_vertical_kgm2, 4e3);
     EXPECT_EQ(read("base={shape='round'}\n").footing.base.points, 0) << "a rim without corners";
+    EXPECT_FALSE(read("base={shape='round'}\n").footing.base.is_disc());
+    auto const ring = read("base={shape='round', bedding='flat', inner_diameter='1 m'}\n").footing;
+    EXPECT_TRUE(ring.base.is_disc());
+    EXPECT_EQ(ring.base.inner_radius_m, 0.5);
+    EXPECT_FALSE(ring.pad.match_restitution) << "it has a restitution of its own";
+    EXPECT_EQ(read("base={shape='round', bedding='flat'}\n").footing.base.inner_radius_m, 0);
     EXPECT_FALSE(read("base={bedding='flat'}\n").footing.base.corner_share.has_value());
     EXPECT_EQ(read("base={bedding='corners'}\n").footing.base.corner_share, 1);
     auto const polygon =
@@ -64,6 +70,12 @@ TEST(Footing, OnlyAStatedRestitutionTunesABed) {
     EXPECT_FALSE(read("base={bedding='flat'}\nrestitution='housner'\n").footing.pad.match_restitution);
     EXPECT_TRUE(read("base={bedding='flat'}\nrestitution=0.8\n").footing.pad.match_restitution);
     EXPECT_TRUE(read("pad={vertical_frequency='67 Hz'}\n").footing.pad.match_restitution);
+    auto const yields = read("base={shape='round'}\npad={strength='30 MPa'}\n").footing;
+    EXPECT_EQ(yields.base.points, 64);
+    EXPECT_FALSE(yields.pad.match_restitution) << "a rim keeps its own where the pad yields under it";
+    EXPECT_TRUE(
+        read("restitution=0.72\nbase={shape='round'}\npad={strength='30 MPa'}\n").footing.pad.match_restitution);
+    EXPECT_TRUE(read("base={shape='round', points=64}\npad={strength='30 MPa'}\n").footing.pad.match_restitution);
 }
 
 //
@@ -74,6 +86,9 @@ TEST(Footing, GoesWithTheSimilarityLaw) {
                              "inertia_z='4 t m2'\nsimilarity={direction='to-model'}\n")
                              .footing;
     EXPECT_NEAR(footing.pad.vertical_frequency_hz, 67 / std::sqrt(0.4), 1e-12);
+    EXPECT_NEAR(read("base={shape='round', bedding='flat', inner_diameter='1 m'}\nsimilarity={direction='to-model'}\n")
+                    .footing.base.inner_radius_m,
+                0.2, 1e-15);
     EXPECT_EQ(footing.pad.strength_pa, 30e6);
     EXPECT_NEAR(footing.base.corners_m[0][0], 0.272, 1e-15);
     EXPECT_NEAR(*footing.inertia_vertical_kgm2, 4e3 * 1.43 * std::pow(0.4, 5), 1e-10);
@@ -88,7 +103,14 @@ TEST(Footing, WhatCannotStandIsRefusedAtItsKey) {
     refused("base={bedding='soft'}\n", "soft", "corners");
     refused("base={shape='oval'}\n", "oval", "round");
     refused("base={points=1}\n", "points");
-    refused("base={shape='round', bedding='flat'}\n", "bedding", "square");
+    refused("base={shape='round', bedding=0.5}\n", "bedding", "rim (corners) or evenly (flat)");
+    refused("base={shape='round', bedding='flat', points=32}\n", "points", "without points");
+    refused("base={shape='round', inner_diameter='1 m'}\n", "inner_diameter", "bedding = \"flat\"");
+    refused("base={bedding='flat', inner_diameter='1 m'}\n", "inner_diameter", "only a round base");
+    refused("base={shape='round', bedding='flat', inner_diameter='1.36 m'}\n", "nothing is left that bears");
+    refused("base={shape='round', bedding='flat'}\npad={strength='30 MPa'}\n", "disc or ring", "strength");
+    refused("base={shape='polygon', bedding='flat', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n",
+            "bedding", "polygon");
     refused("base={shape='round', points=18}\n", "multiple of 4");
     refused("base={width=3}\n", "width");
     refused("base={shape='polygon'}\n", "corners");

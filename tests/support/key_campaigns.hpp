@@ -88,6 +88,7 @@ inline std::vector<std::string> key_campaigns() {
     standing(std::string(body) + "inertia_y='20 t m2'\ninertia_z='20 t m2'\nfriction={static=0.5, kinetic=0.4}\n"
              "base={shape='square', bedding='flat', points=9}\npad={vertical_frequency='98 Hz', normal_restitution=0.3, "
              "strength='30 MPa', tangential_ratio=0.8, tangential_damping=0.3, match_restitution=false}\n");
+    standing(std::string(body) + "base={shape='round', bedding='flat', inner_diameter=1}\n");
     standing(std::string(body)
              + "friction=0.5\nbase={shape='polygon', corners=[[-0.7,-0.7],[0.7,-0.7],[0.7,0.7],[-0.7,0.7]]}\n");
     all.push_back("seed=1\n" + steady + body

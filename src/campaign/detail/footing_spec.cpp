@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -21,13 +22,18 @@ constexpr std::array shapes{
     config::Entry<BaseShape>{"round", "of the diameter base_width", BaseShape::round},
     config::Entry<BaseShape>{"polygon", "convex, with the corners that are stated", BaseShape::polygon}};
 
-constexpr std::array beddings{config::Entry<bool>{"corners", "nothing but the corners bears", true},
+constexpr std::array beddings{config::Entry<bool>{"corners", "nothing but the corners bears, or the rim", true},
                               config::Entry<bool>{"flat", "all of the base bears evenly", false}};
 constexpr config::Keys base_keys{
     config::word_key<shapes>("shape", "outline of the base").otherwise("square"),
-    config::word_key<beddings>("bedding", "what of a square base bears, or the corners' share of the stiffness")
+    config::word_key<beddings>(
+        "bedding", "what of a square or round base bears, or the corners' share of a square one's stiffness")
         .or_as(config::number_key("bedding", Dimension::none, {.low = 0, .high = 1, .low_open = true}, ""))
         .otherwise(1),
+    config::number_key("inner_diameter", Dimension::length, Range::positive(),
+                       "of a ring, which bears evenly between it and base_width")
+        .otherwise_said("none: a disc")
+        .only("shape = round and bedding = flat"),
     config::pairs_key("corners", Dimension::length, Dimension::length, "[x, y] of the corners of a convex polygon")
         .only("shape = polygon"),
     config::integer_key("points", 2, 1000,
@@ -73,17 +79,28 @@ BasePlan read_base(Table const& given, int points_across) {
     BasePlan base;
     base.shape = given.choice<BaseShape>(base_keys["shape"], shapes);
     bool const square = base.shape == BaseShape::square;
+    bool const round = base.shape == BaseShape::round;
     if (base.shape == BaseShape::polygon) {
         for (auto const& [x, y] : given.pairs(base_keys["corners"])) {
             base.corners_m.push_back({x, y});
         }
     }
-    if (!square && given.has("bedding")) {
-        if (read_bedding(given) != 1) {
-            given.fail("bedding", "only a square base has any but its corners or its rim. Leave it out");
-        }
+    base.corner_share = square || given.has("bedding") ? read_bedding(given) : 1;
+    if (!square && base.corner_share != 1 && (!round || base.corner_share)) {
+        given.fail("bedding", round ? "a round base bears on its rim (corners) or evenly (flat). State one of these"
+                                    : "a polygon bears on its corners. Leave it out");
     }
-    base.corner_share = square ? read_bedding(given) : 1;
+    if (round && !base.corner_share && given.has("points")) {
+        given.fail("points",
+                   "beside bedding = \"flat\" of a round base (it bears as a whole, without points). Leave "
+                   "one of them out");
+    }
+    if (given.has("inner_diameter")) {
+        if (!round || base.corner_share) {
+            given.fail("inner_diameter", "only a round base that bears evenly is a ring. State bedding = \"flat\"");
+        }
+        base.inner_radius_m = 0.5 * given.number(base_keys["inner_diameter"]);
+    }
     if (base.shape != BaseShape::polygon) {
         base.points = static_cast<int>(given.integer(base_keys["points"], {.otherwise = square ? points_across : 0}));
     }
@@ -114,6 +131,7 @@ Footing scaled(Footing footing, std::optional<Scaling> const& scaling) {
         by(x, law.length);
         by(y, law.length);
     }
+    by(footing.base.inner_radius_m, law.length);
     by(footing.pad.vertical_frequency_hz, law.frequency());
     for (auto* const inertia : {&footing.inertia_across_kgm2, &footing.inertia_vertical_kgm2}) {
         if (*inertia) {
@@ -152,6 +170,9 @@ void validate_width(Table const& table, RigidBody const& body, SpatialBlock cons
 constinit config::KeyTable const footing_table{.meaning = "what a body stands on", .keys = footing_keys.all};
 
 void read_footing(Table const& table, Footing& footing, int points_across) {
+    if (std::exchange(footing.rim_as_points, false)) {
+        footing.base.points = 0;  // as its file says, for whatever pad this states
+    }
     if (table.has("base")) {
         footing.base = read_base(table.child(footing_keys["base"]), points_across);
         footing.stated = true;
@@ -160,8 +181,9 @@ void read_footing(Table const& table, Footing& footing, int points_across) {
         footing.pad = read_pad(table.child(footing_keys["pad"]));
         footing.stated = true;
     }
-    if (footing.base.continuous() && footing.pad.strength_pa) {
+    if (footing.base.continuous() && !footing.base.is_disc() && footing.pad.strength_pa) {
         footing.base.points = BasePlan::points_around;  // what a pad remembers of its crushing, it remembers by place
+        footing.rim_as_points = true;
     }
     if (auto const across = table.maybe_number(footing_keys["inertia_y"])) {
         footing.inertia_across_kgm2 = across;
@@ -176,7 +198,7 @@ void settle_footing(Table const& table, BodySpec& spec) {
     footing = scaled(spec.stated_footing, spec.scaling);
     auto const& base = footing.base;
     bool const states_restitution = spec.stated.restitution.has_value();
-    bool const of_its_own = base.continuous() || base.is_bed();
+    bool const of_its_own = base.continuous() || footing.rim_as_points || base.is_bed();
     if (of_its_own && !states_restitution) {
         footing.pad.match_restitution = false;  // a bed or a rim has a restitution of its own
     }

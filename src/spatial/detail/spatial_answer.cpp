@@ -62,11 +62,11 @@ SpatialInstant SpatialRun::instant() const {
             .energy_jpkg = mechanical_energy()};
 }
 
-SpatialRun::RimDepth SpatialRun::rim_depth() const {
+SpatialRun::RimDepth SpatialRun::rim_depth(double radius_m) const {
     auto const r = rotation();
     double const slope = std::hypot(r[2], r[5]);
     double const middle = -(get(State::rise) + 2 * planar_.centre_height_m * half_tilt_sine2());
-    double const change = block_.edge_m * slope;
+    double const change = radius_m * slope;
     double const share = change > 0 ? (middle + change) / (2 * change) : middle > 0 ? 1 : 0;
     double const square = std::clamp(share, 0.0, 1.0);  // sine of half the arc, squared
     return {middle,
@@ -80,8 +80,20 @@ SpatialRun::RimDepth SpatialRun::rim_depth() const {
 // Of springs, over the mass.
 double SpatialRun::spring_energy() const {
     auto const square = [&](State field) { return get(field) * get(field); };
+    if (block_.inner_m) {
+        // Over what touches: half the square of the depth, and the depth.
+        auto const [middle, change, p, s, c, towards] = rim_depth(block_.edge_m);
+        auto const [k, x, xx, yy] = touching_moments();
+        double const slope = change / block_.edge_m;
+        double const hold = get(State::hold) * std::max(0.0, middle * k + slope * x) / get(State::stiffness);
+        double const shear =
+            std::min(hold * hold, square(State::shear_x) + square(State::shear_y) + square(State::shear_twist));
+        return 0.5
+               * (middle * middle * k + 2 * middle * slope * x + slope * slope * xx
+                  + get(State::stiffness) * planar_.pad.tangential_ratio * shear);
+    }
     if (block_.rim) {
-        auto const rim = rim_depth();
+        auto const rim = rim_depth(block_.edge_m);
         double const deep = rim.middle * rim.middle * rim.arc + 2 * rim.middle * rim.change * rim.sine
                             + rim.change * rim.change * (rim.arc + rim.sine * rim.cosine) / 2;
         // The step that comes cuts them back to what friction holds of this force.

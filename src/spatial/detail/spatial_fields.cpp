@@ -8,8 +8,9 @@
 
 namespace overturn::spatial {
 
-BaseKind kind_of(std::vector<SpatialPoint> const& points) {
-    BaseKind kind{.points = static_cast<int>(points.size())};
+BaseKind kind_of(SpatialBlock const& block) {
+    auto const& points = block.points;
+    BaseKind kind{.points = static_cast<int>(points.size()), .disc = block.inner_m.has_value()};
     for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
         auto const& one = points[i];
         auto const& other = points[i + 1];
@@ -70,7 +71,8 @@ double SpatialRun::parting_ratio() const {
         yy += point.stiffness_share * point.y_m * point.y_m;
     }
     if (block_.rim) {
-        return block_.edge_m / (2 * planar_.centre_height_m);
+        double const h = planar_.centre_height_m;
+        return block_.inner_m ? block_.mean_square_m2() / (block_.edge_m * h) : block_.edge_m / (2 * h);
     }
     double const determinant = xx * yy - xy * xy;
     double steepest = 0;
@@ -95,6 +97,12 @@ void SpatialRun::fill_points() {
     double const w = planar_.vertical_radps();
     put(State::stiffness, w * w);
     put(State::ring, w * w / pi);
+    if (block_.inner_m) {
+        double const hole = *block_.inner_m / block_.edge_m;
+        put(State::hole, hole);
+        put(State::hole_arc, std::acos(hole));
+        put(State::ring, w * w / (pi * block_.edge_m * block_.edge_m * (1 - hole * hole)));
+    }
     for (int i = 0; i < lane_.points; ++i) {
         auto const& point = block_.points[i];
         lane_.at(Spot::x, i, 0) = lane_.at(Spot::anchor_x, i, 0) = point.x_m;

@@ -12,9 +12,10 @@ SpatialRun::SpatialRun(SpatialBlock const& block, Excitation const& shaking, Con
     OVERTURN_EXPECT(block_.rim == block_.points.empty());
     OVERTURN_EXPECT(block_.rim || (block_.points.size() >= 4 && block_.points.size() <= most_spatial_points));
     OVERTURN_EXPECT(block_.points.size() % 2 == 0);
-    auto const kind = kind_of(block_.points);
+    auto const kind = kind_of(block_);
     lane_.points = kind.points;
     lane_.opposite = kind.opposite;
+    lane_.disc = kind.disc;
     fill_trial(accuracy);
     fill_points();
     place(start.value_or(SpatialStart{}));
@@ -50,15 +51,34 @@ void SpatialRun::show_sample() {
     put(State::substep, 0);
 }
 
-SpatialRun::BedMoments SpatialRun::rim_moments() const {
-    auto const rim = rim_depth();
-    double const k = get(State::stiffness) / (2 * pi);
+// Of what touches of a disc, beyond its chord at the angle that its depth has.
+SpatialRun::TouchingMoments SpatialRun::segment(double radius_m) const {
+    auto const [middle, change, p, s, c, towards] = rim_depth(radius_m);
+    double const square = radius_m * radius_m;
+    double const both = s * c * (1 - 2 * s * s);
+    return {square * (p - s * c), 2 * square * radius_m * s * s * s / 3, square * square * (p - both) / 4,
+            square * square * (p / 4 - s * c / 3 + both / 12)};
+}
+
+SpatialRun::TouchingMoments SpatialRun::touching_moments() const {
     double const r = block_.edge_m;
-    double const x = 2 * k * r * rim.sine;
-    double const xx = k * r * r * (rim.arc + rim.sine * rim.cosine);
-    double const yy = k * r * r * (rim.arc - rim.sine * rim.cosine);
-    auto const [c, s] = rim.towards;
-    return {2 * k * rim.arc, x * c, x * s, xx * c * c + yy * s * s, (xx - yy) * c * s, xx * s * s + yy * c * c};
+    if (!block_.inner_m) {
+        auto const rim = rim_depth(r);
+        double const k = get(State::stiffness) / (2 * pi);
+        return {2 * k * rim.arc, 2 * k * r * rim.sine, k * r * r * (rim.arc + rim.sine * rim.cosine),
+                k * r * r * (rim.arc - rim.sine * rim.cosine)};
+    }
+    auto const all = segment(r);
+    auto const hole = segment(*block_.inner_m);
+    double const k = get(State::ring);
+    return {k * (all.k - hole.k), k * (all.x - hole.x), k * (all.xx - hole.xx), k * (all.yy - hole.yy)};
+}
+
+SpatialRun::BedMoments SpatialRun::rim_moments() const {
+    auto const touching = touching_moments();
+    auto const [k, x, xx, yy] = touching;
+    auto const [c, s] = rim_depth(block_.edge_m).towards;
+    return {k, x * c, x * s, xx * c * c + yy * s * s, (xx - yy) * c * s, xx * s * s + yy * c * c};
 }
 
 // Of the points that touch: by pairs, as forces are summed.

@@ -57,6 +57,10 @@ class SpatialRun : public contact::PointRun<SpatialRun, State, Spot, SpatialLane
     struct BedMoments {
         double k, x, y, xx, xy, yy;
     };
+    /// Of what touches of a continuous base, about the axis across the direction towards its lowest point.
+    struct TouchingMoments {
+        double k, x, xx, yy;
+    };
     struct LeanStiffness {
         double xx, xy, yy;
     };
@@ -89,7 +93,9 @@ class SpatialRun : public contact::PointRun<SpatialRun, State, Spot, SpatialLane
     [[nodiscard]] std::array<double, 9> rotation() const;
     [[nodiscard]] std::array<double, 2> base_centre() const;
     [[nodiscard]] Placed placed(int point) const;
-    [[nodiscard]] RimDepth rim_depth() const;
+    [[nodiscard]] RimDepth rim_depth(double radius_m) const;
+    [[nodiscard]] TouchingMoments segment(double radius_m) const;
+    [[nodiscard]] TouchingMoments touching_moments() const;
     [[nodiscard]] BedMoments rim_moments() const;
     [[nodiscard]] BedMoments bed_moments() const;
     [[nodiscard]] double spring_energy() const;

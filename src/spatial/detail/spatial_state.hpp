@@ -2,9 +2,8 @@
 /// needs care. One arithmetic serves one lane and many: whatever the machine's vectors, the bits are the same.
 #pragma once
 
+#include <compare>
 #include <cstdint>
-#include <utility>
-#include <vector>
 
 #include "simd/point_lanes.hpp"
 #include "spatial/spatial_block.hpp"
@@ -82,7 +81,9 @@ enum class State : int {
     edge,       ///< from the axis to the nearest edge; of a rim its radius
     reach,      ///< from the axis to the farthest point
     stiffness,  ///< w_v^2: k / m of all the base
-    ring,       ///< w_v^2 / pi
+    ring,       ///< of a rim w_v^2 / pi; of a disc or ring w_v^2 over its area
+    hole,       ///< inner radius of a ring over its outer one
+    hole_arc,   ///< angle whose cosine that is
     inertia_x,  ///< I / m, about the body's own axes
     inertia_y,
     inertia_z,
@@ -124,21 +125,22 @@ enum class Wave : int { x, y, z, count };
 
 /// Kind of a base for the arithmetic: bodies step side by side on bases of one kind.
 struct BaseKind {
-    int points = 0;        ///< none: a continuous rim
+    int points = 0;        ///< none: a continuous base
     bool opposite = true;  ///< whether the points of every pair are opposite ones
+    bool disc = false;     ///< whether a continuous base bears within its rim
 
-    [[nodiscard]] bool operator<(BaseKind const& other) const {
-        return std::pair(points, opposite) < std::pair(other.points, other.opposite);
-    }
+    [[nodiscard]] auto operator<=>(BaseKind const& other) const = default;
 };
-[[nodiscard]] BaseKind kind_of(std::vector<SpatialPoint> const& points);
+[[nodiscard]] BaseKind kind_of(SpatialBlock const& block);
 
 template <int Lanes> struct SpatialLanes : simd::PointLanes<State, Wave, Spot, most_spatial_points, Lanes> {
     bool opposite = true;  ///< BaseKind::opposite of all lanes
+    bool disc = false;     ///< BaseKind::disc of all lanes
 
     template <int From> void take_lane(SpatialLanes<From> const& from, int from_lane, int to_lane) {
         simd::PointLanes<State, Wave, Spot, most_spatial_points, Lanes>::take_lane(from, from_lane, to_lane);
         opposite = from.opposite;
+        disc = from.disc;
     }
 };
 
