@@ -108,7 +108,7 @@ TEST_F(Leaving, WithinSecondsOfADeadRank) {
 
 // R-1101: blocks that a stopped rank holds are computed by the others; when it goes on, the file is the same.
 TEST_F(Leaving, NotForAStoppedRank) {
-    constexpr int waves = 1500;
+    constexpr int waves = 400;
     write_short_blocks(waves);
     ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "one.h5"}).code, 0);
     Running running(folder, mpirun(3, {"run", "c.toml"}));
@@ -119,7 +119,8 @@ TEST_F(Leaving, NotForAStoppedRank) {
     auto const plan = nlohmann::json::parse(overturn(folder, {"plan", "c.toml", "--json"}).out);
     auto const blocks = plan.at("blocks").get<std::int64_t>();
     ASSERT_GT(blocks, 8);
-    EXPECT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") == blocks; }))
+    auto const all_there = [&] { return comes_true([&] { return blocks_done(folder, "c.h5") == blocks; }); };
+    EXPECT_TRUE(all_there() || all_there() || all_there())  // a busy machine: patience is two blocks long
         << blocks_done(folder, "c.h5") << " of " << blocks << " while a rank is stopped";
     ::kill(ranks[1], SIGCONT);
 

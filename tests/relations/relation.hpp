@@ -134,6 +134,20 @@ inline std::map<std::string, Image> across(double x, double y) {
     return images;
 }
 
+// In one plane, of every model that says where the base went.
+inline std::map<std::string, Image> across_the_plane() {
+    std::map<std::string, Image> images{{"residual_slip", {"residual_slip", -1}}};
+    for (std::string const model : {"rocking", "sliding", "contact"}) {
+        images[model + ".residual_x"] = {model + ".residual_x", -1};
+        for (auto const& [one, other] : {std::pair{"most", "least"}, std::pair{"least", "most"}}) {
+            for (std::string const what : {"edge_x_", "rotation_"}) {
+                images[model + "." + what + one] = {model + "." + what + other, -1};
+            }
+        }
+    }
+    return images;
+}
+
 inline std::vector<Relation> relations() {
     std::vector<std::string> const azimuth{"spatial.landing_azimuth"};
     std::vector<std::string> const of_x{"spatial.landing_azimuth", "v_wes", "ou_v_e", "v_wes_safe", "ou_v_e_safe",
@@ -145,7 +159,7 @@ inline std::vector<Relation> relations() {
         {.name = "mirror left-right",
          .holds = in_the_plane,
          .change = [](Study& study) { turn(study, -1, 0, 0, 1); },
-         .images = {{"residual_slip", {"residual_slip", -1}}}},
+         .images = across_the_plane()},
         {.name = "mirror x",
          .holds = spatial,
          .change = [](Study& study) { turn(study, -1, 0, 0, 1); },
@@ -259,8 +273,8 @@ inline std::vector<Relation> relations() {
         {.name = "4 s of zeros behind",
          .holds = [](Family const& family) { return family.points; },
          .change = quiet_behind,
-         .untold = {"ou_v_e", "residual_slip", "steps", "spatial.residual_x", "spatial.residual_y", "spatial.slip_path",
-                    "spatial.yaw"}},
+         .untold = {"ou_v_e", "residual_slip", "steps", "contact.residual_x", "spatial.residual_x",
+                    "spatial.residual_y", "spatial.slip_path", "spatial.yaw"}},
         {.name = "midpoints inserted", .holds = always, .change = halve_step},
     };
 }
