@@ -67,6 +67,9 @@ int expect_same_tables(store::ResultsReader const& file, json const& study) {
     std::map<std::string, std::size_t> rows;
     int compared = 0;
     for (auto const& [table, list] : study.items()) {
+        if (table == "campaign_sha256") {  // the file holds the campaign itself
+            continue;
+        }
         for (auto const& row : list) {
             auto const group = table == "settings" ? table + "/" + row.at("knob").get<std::string>() : table;
             auto const place = rows[group]++;
