@@ -99,7 +99,7 @@ std::string records_text(CampaignSpec const& spec, std::span<TrialRow const> tri
         std::string text;
         for (std::size_t c = 0; c < cells.size(); ++c) {
             bool const number = sheet.head[c].ends_with(']');
-            auto const gap = c == 0 ? "" : "  ";
+            auto const* const gap = c == 0 ? "" : "  ";
             text += number ? fmt::format("{}{:>{}}", gap, cells[c], widths[c])
                            : fmt::format("{}{:<{}}", gap, cells[c], widths[c]);
         }

@@ -10,6 +10,6 @@ namespace overturn {
 
 /// A line for each joint that is not stated to be fastened and parts under less than tips or slides the whole body, by
 /// statics: without vertical motion and before anything moves.
-[[nodiscard]] std::vector<std::string> loose_parts(BodySpec const& body);
+[[nodiscard]] std::vector<std::string> loose_parts(BodySpec const& spec);
 
 }  // namespace overturn

@@ -2,8 +2,8 @@
 /// needs care. One arithmetic serves one lane and many: whatever the machine's vectors, the bits are the same.
 #pragma once
 
-#include <compare>
 #include <cstdint>
+#include <tuple>
 
 #include "simd/point_lanes.hpp"
 #include "spatial/spatial_block.hpp"
@@ -129,7 +129,9 @@ struct BaseKind {
     bool opposite = true;  ///< whether the points of every pair are opposite ones
     bool disc = false;     ///< whether a continuous base bears within its rim
 
-    [[nodiscard]] auto operator<=>(BaseKind const& other) const = default;
+    [[nodiscard]] bool operator<(BaseKind const& other) const {
+        return std::tie(points, opposite, disc) < std::tie(other.points, other.opposite, other.disc);
+    }
 };
 [[nodiscard]] BaseKind kind_of(SpatialBlock const& block);
 
