@@ -15,24 +15,17 @@ struct Solid {
     bool has_faces;
 };
 
-Solid solid_of(Cylinder const& part) {
+template <class Part> Solid solid(Part const& part, double half_width_m) {
     return {part.bottom_height_m,
             part.bottom_height_m + part.height_m,
-            part.radius_m,
+            half_width_m,
             part.mass_kg,
             part.bottom_height_m + part.height_m / 2,
             part.standing,
             true};
 }
-Solid solid_of(Box const& part) {
-    return {part.bottom_height_m,
-            part.bottom_height_m + part.height_m,
-            part.width_m / 2,
-            part.mass_kg,
-            part.bottom_height_m + part.height_m / 2,
-            part.standing,
-            true};
-}
+Solid solid_of(Cylinder const& part) { return solid(part, part.radius_m); }
+Solid solid_of(Box const& part) { return solid(part, part.width_m / 2); }
 Solid solid_of(PointMass const& part) {
     return {part.height_m, part.height_m, 0, part.mass_kg, part.height_m, {}, false};
 }
@@ -55,9 +48,9 @@ double closeness_m(std::span<Solid const> solids) {
 }
 
 std::optional<Joint> joint_at(double level_m, std::span<Solid const> solids, double close_m) {
-    constexpr double never = std::numeric_limits<double>::infinity();
+    constexpr double unlimited = std::numeric_limits<double>::infinity();
     Joint joint{.height_m = level_m};
-    double above_m = 0, below_m = 0, moment = 0, friction = never;
+    double above_m = 0, below_m = 0, moment = 0, friction = unlimited;
     joint.fastened = true;
     for (std::size_t i = 0; i < solids.size(); ++i) {
         auto const& solid = solids[i];
@@ -73,7 +66,7 @@ std::optional<Joint> joint_at(double level_m, std::span<Solid const> solids, dou
         }
         if (solid.has_faces && std::abs(solid.bottom_m - level_m) <= close_m) {
             above_m = std::max(above_m, solid.half_width_m);
-            friction = std::min(friction, solid.standing.friction.value_or(never));
+            friction = std::min(friction, solid.standing.friction.value_or(unlimited));
             joint.fastened = joint.fastened && solid.standing.fastened;
             joint.parts.push_back(i);
         }

@@ -85,11 +85,9 @@ void refuse_mixture(fs::path const& folder, std::vector<std::string> const& all,
 // Without them a table would lose its rows.
 void require_essential_columns(store::ResultsReader const& file) {
     for (auto const& field : fields_of<TrialRow>()) {
-        auto const path = "trials/" + field.name;
-        validate(!field.essential || file.has(path),
-                 "results file: has no {} (it was edited). Restore it, or run the "
-                 "campaign again",
-                 path);
+        if (field.essential) {
+            file.require("trials/" + field.name);
+        }
     }
 }
 

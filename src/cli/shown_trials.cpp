@@ -51,27 +51,35 @@ std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec
     return nearest;
 }
 
-// Of each body the trial that came farthest at the design basis: one that fell, else by tilt, else by slip. None where
-// nothing moved there, or no level is the design basis.
-std::vector<std::optional<std::int64_t>> farthest_at_design_basis(CampaignSpec const& spec, Plan const& plan,
-                                                                  store::ResultsReader const& file,
-                                                                  StoredEnds const& stored) {
-    std::vector<std::optional<std::int64_t>> farthest(spec.bodies.size());
+// What a body did at the design basis.
+struct AtDesignBasis {
+    bool judged = false;                   ///< trials of it are there
+    bool moved = false;                    ///< in any of them
+    std::optional<std::int64_t> farthest;  ///< one that fell, else by tilt, else by slip; none: no decided one moved
+};
+
+std::vector<AtDesignBasis> at_design_basis(CampaignSpec const& spec, Plan const& plan, store::ResultsReader const& file,
+                                           StoredEnds const& stored) {
+    std::vector<AtDesignBasis> bodies(spec.bodies.size());
     std::vector<std::tuple<bool, double, double>> reached(spec.bodies.size());
     auto const& [ends, tilts] = stored;
     auto const slips = reals_or_unknown(file, "trials/peak_slip", ends.size());
     for (std::size_t t = 0; t < ends.size(); ++t) {
         auto const trial = plan.trial(t);
-        auto const body = static_cast<std::size_t>(trial.body);
+        if (spec.levels.levels.at(trial.level).purpose != LevelClass::design_basis) {
+            continue;
+        }
+        auto& body = bodies[trial.body];
         auto const& end = entry_of(ends[t]);
         std::tuple const here{end.fell, tilts[t], slips[t]};
-        if (spec.levels.levels.at(trial.level).purpose == LevelClass::design_basis && end.moved && end.decided
-            && here > reached[body]) {
-            reached[body] = here;
-            farthest[body] = static_cast<std::int64_t>(t);
+        body.judged = true;
+        body.moved = body.moved || end.moved;
+        if (end.moved && end.decided && here > reached[trial.body]) {
+            reached[trial.body] = here;
+            body.farthest = static_cast<std::int64_t>(t);
         }
     }
-    return farthest;
+    return bodies;
 }
 
 // One that is there already only gets a further word.
@@ -84,34 +92,15 @@ void add(std::vector<ChosenTrial>& of_body, std::int64_t trial, std::string cons
     }
 }
 
-std::vector<std::string> at_rest_at_design_basis(CampaignSpec const& spec, Plan const& plan,
-                                                 std::vector<Verdict> const& verdicts) {
-    std::vector<bool> judged(spec.bodies.size(), false);
-    std::vector<bool> moved(spec.bodies.size(), false);
-    for (std::size_t t = 0; t < verdicts.size(); ++t) {
-        auto const trial = plan.trial(t);
-        if (spec.levels.levels.at(trial.level).purpose == LevelClass::design_basis) {
-            judged[trial.body] = true;
-            moved[trial.body] = moved[trial.body] || entry_of(verdicts[t]).moved;
-        }
-    }
-    std::vector<std::string> names;
-    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        if (judged[b] && !moved[b]) {
-            names.push_back(spec.bodies[b].name);
-        }
-    }
-    return names;
-}
-
 std::vector<ChosenTrial> chosen(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
-                                store::ResultsReader const& file, StoredEnds const& stored) {
+                                store::ResultsReader const& file, StoredEnds const& stored,
+                                std::span<AtDesignBasis const> basis) {
     std::vector<TellingTrial> by_kind(telling.begin(), telling.end());
     std::ranges::stable_sort(by_kind, {}, &TellingTrial::kind);
     std::vector<std::vector<ChosenTrial>> offered(spec.bodies.size());
-    for (auto const& trial : farthest_at_design_basis(spec, plan, file, stored)) {
-        if (trial) {
-            add(offered.at(plan.trial(*trial).body), *trial, "farthest at the design basis");
+    for (std::size_t b = 0; b < basis.size(); ++b) {
+        if (auto const& trial = basis[b].farthest) {
+            add(offered[b], *trial, "farthest at the design basis");
         }
     }
     for (auto const& t : by_kind) {
@@ -165,8 +154,13 @@ ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<T
                          store::ResultsReader const& file) {
     auto const ends = stored_verdicts(file);
     StoredEnds const stored{ends, reals_or_unknown(file, "trials/peak_rotation_ratio", ends.size())};
-    auto shown = histories_of(spec, plan, chosen(spec, plan, telling, file, stored));
-    shown.at_rest_at_design_basis = at_rest_at_design_basis(spec, plan, ends);
+    auto const basis = at_design_basis(spec, plan, file, stored);
+    auto shown = histories_of(spec, plan, chosen(spec, plan, telling, file, stored, basis));
+    for (std::size_t b = 0; b < basis.size(); ++b) {
+        if (basis[b].judged && !basis[b].moved) {
+            shown.at_rest_at_design_basis.push_back(spec.bodies[b].name);
+        }
+    }
     return shown;
 }
 

@@ -1,10 +1,10 @@
 #include <cmath>
-#include <functional>
 #include <vector>
 
 #include "body/rigid_body.hpp"
 #include "body/similarity.hpp"
 #include "model/trial.hpp"
+#include "qualify/detail/boundary.hpp"
 #include "qualify/known_answers.hpp"
 #include "rocking/closed_forms.hpp"
 #include "rocking/planar_rocking.hpp"
@@ -38,16 +38,6 @@ std::vector<double> impact_times(RockingBlock const& block, double phi0, Restori
     (void)simulate_rocking(block, {.horizontal_mps2 = calm, .time_step_s = 0.01}, {.restoring = restoring},
                            {.rotation_rad = phi0 * block.alpha_rad}, &impacts);
     return impacts.times;
-}
-
-// Where `beyond` turns true between two values.
-double boundary(double low, double high, std::function<bool(double)> const& beyond) {
-    constexpr int halvings = 60;
-    for (int i = 0; i < halvings; ++i) {
-        double const middle = 0.5 * (low + high);
-        (beyond(middle) ? high : low) = middle;
-    }
-    return 0.5 * (low + high);
 }
 
 Checks of_the_body() {

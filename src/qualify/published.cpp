@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/units.hpp"
+#include "qualify/detail/boundary.hpp"
 #include "qualify/detail/published_parts.hpp"
 #include "qualify/known_answers.hpp"
 #include "rocking/overturning_search.hpp"
@@ -46,16 +47,6 @@ class PeakUntil : public RockingObserver {
     double until_s_;
 };
 
-// Between two frictions, the one from which on `holds`.
-template <class Test> double friction_from(double low, double high, Test const& holds) {
-    constexpr int halvings = 40;
-    for (int i = 0; i < halvings; ++i) {
-        double const middle = 0.5 * (low + high);
-        (holds(middle) ? high : low) = middle;
-    }
-    return high;
-}
-
 // In which of his modes a block of h/b = 2 at rest begins under 1 g.
 Checks shenton() {
     RockingBlock block{.alpha_rad = std::atan(0.5), .p_radps = 2, .restitution = 0.5};
@@ -68,9 +59,9 @@ Checks shenton() {
         return seen.peak;
     };
     double const rocks =
-        friction_from(0.3, 0.6, [&](double friction) { return peak(&RockingInstant::rotation_rad, friction) > 0; });
+        boundary(0.3, 0.6, [&](double friction) { return peak(&RockingInstant::rotation_rad, friction) > 0; });
     double const holds =
-        friction_from(0.5, 0.7, [&](double friction) { return peak(&RockingInstant::slip_m, friction) == 0; });
+        boundary(0.5, 0.7, [&](double friction) { return peak(&RockingInstant::slip_m, friction) == 0; });
     constexpr double bracket = 1e-6;
     auto const decided = [](char const* by) {
         return fmt::format("{}: {}; looked for over the 10 ms of the pulse, the initiation is at once", derived, by);

@@ -7,6 +7,7 @@
 
 #include "core/units.hpp"
 #include "generators/pulse_shape.hpp"
+#include "qualify/detail/boundary.hpp"
 #include "qualify/detail/published_parts.hpp"
 #include "rocking/planar_rocking.hpp"
 
@@ -118,13 +119,9 @@ class DoubleImpulse {
 
 Check double_impulse() {
     DoubleImpulse const impulses;
-    double low = 0.9 * impulses.closed_form();
-    double high = 1.1 * impulses.closed_form();
-    constexpr int halvings = 24;
-    for (int i = 0; i < halvings; ++i) {
-        double const middle = 0.5 * (low + high);
-        (impulses.overturns(middle) ? high : low) = middle;
-    }
+    double const high = boundary(
+        0.9 * impulses.closed_form(), 1.1 * impulses.closed_form(),
+        [&](double velocity) { return impulses.overturns(velocity); }, 24);
     return relative(
         "L-24", "least double impulse that overturns, the second at the first impact, e 0.9",
         "Nabeshima and others (2016), closed form", "m/s", high, impulses.closed_form(), 1e-4,

@@ -9,6 +9,7 @@
 
 #include "core/units.hpp"
 #include "generators/pulse_shape.hpp"
+#include "qualify/detail/boundary.hpp"
 #include "qualify/detail/published_parts.hpp"
 #include "rocking/overturning_search.hpp"
 #include "rocking/rocking_accuracy.hpp"
@@ -49,17 +50,10 @@ double end_of(std::vector<FateRange> const& ranges, Fate fate) {
 // uplifts at the phase x, of sine alpha g over the amplitude, and is left at balance when the pulse ends.
 double without_impact(double omega_over_p, int halves) {
     double const end = halves * pi;
-    auto const beyond = [&](double x) {
-        return std::cos(x) - std::cos(end) * std::exp((x - end) / omega_over_p) - omega_over_p * std::sin(x);
+    auto const too_late = [&](double x) {
+        return std::cos(x) - std::cos(end) * std::exp((x - end) / omega_over_p) <= omega_over_p * std::sin(x);
     };
-    double low = 0;
-    double high = 0.5 * pi;
-    constexpr int halvings = 60;
-    for (int i = 0; i < halvings; ++i) {
-        double const middle = 0.5 * (low + high);
-        (beyond(middle) > 0 ? low : high) = middle;
-    }
-    return 1 / std::sin(high);
+    return 1 / std::sin(boundary(0, 0.5 * pi, too_late));
 }
 
 constexpr double of_chords = 1e-7;  // (2 pi / 8000)^2 / 8 of a sine, and a little

@@ -118,6 +118,8 @@ class ResultsReader {
     [[nodiscard]] std::string text(std::string const& name) const;
     [[nodiscard]] std::int64_t integer(std::string const& name) const;
     [[nodiscard]] bool has(std::string const& dataset) const;
+    /// \throws InputError if it is not there
+    void require(std::string const& dataset) const;
     [[nodiscard]] std::vector<std::string> members(std::string const& group) const;
     /// All columns and small arrays, by path.
     [[nodiscard]] std::vector<ColumnMeaning> columns() const;

@@ -22,8 +22,12 @@ bool exists(File const& file, std::string const& path) {
     return H5Lexists(file.id(), path.c_str(), H5P_DEFAULT) > 0;
 }
 
-Dataset open_dataset(File const& file, std::string const& name) {
+void require_dataset(File const& file, std::string const& name) {
     validate(exists(file, name), "results file: has no {} {}", name, advice);
+}
+
+Dataset open_dataset(File const& file, std::string const& name) {
+    require_dataset(file, name);
     return Dataset(checked(H5Dopen2(file.id(), name.c_str(), H5P_DEFAULT), "open " + name));
 }
 
@@ -97,6 +101,7 @@ std::int64_t ResultsReader::integer(std::string const& name) const {
 }
 
 bool ResultsReader::has(std::string const& dataset) const { return exists(opened_->file, dataset); }
+void ResultsReader::require(std::string const& dataset) const { require_dataset(opened_->file, dataset); }
 
 std::vector<std::string> ResultsReader::members(std::string const& group) const {
     std::vector<std::string> names;
@@ -197,7 +202,9 @@ void ResultsReader::rows(TableSpec const& spec, std::int64_t length, std::int64_
     for (auto const& column : spec.columns) {
         auto const name = spec.group + "/" + column.name;
         if (!has(name)) {
-            validate(!column.essential, "results file: has no {} {}", name, advice);
+            if (column.essential) {
+                require(name);
+            }
             fill_absent(column, spec.row_bytes, rows);
             continue;
         }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <optional>
+#include <span>
 
 #include "campaign/block_rows.hpp"
 #include "core/elapsed.hpp"
@@ -60,12 +62,9 @@ class Worker {
         while (!stopped_ && has_next()) {
             auto const begin = Clock::now();
             auto const blocks = next_blocks();
-            auto rows = run_blocks(
-                what_.spec, what_.plan, blocks, seconds_, [&] { return keep_running() && !are_taken_over(blocks); },
-                what_.known);
+            auto rows = run(blocks);
             if (!rows && are_there_) {
                 fresh_ += std::ssize(blocks);
-                are_there_ = false;
                 continue;
             }
             stopped_ = !rows;
@@ -130,6 +129,14 @@ class Worker {
         return stop_policy_.may_go_on();
     }
 
+    // None: it is time to go, or another rank computed them meanwhile (are_there_).
+    std::optional<std::vector<BlockRows>> run(std::span<std::int64_t const> blocks) {
+        are_there_ = false;
+        return run_blocks(
+            what_.spec, what_.plan, blocks, seconds_, [&] { return keep_running() && !are_taken_over(blocks); },
+            what_.known);
+    }
+
     // Has another rank computed the blocks in hand? Only where none is left to be given out.
     bool are_taken_over(std::span<std::int64_t const> blocks) {
         if (comm_.size() == 1 || seconds_since(looked_) < taken_over_look_s) {
@@ -176,12 +183,7 @@ class Worker {
             return;
         }
         auto const block = held[comm_.rank() % held.size()];
-        auto const blocks = std::span(&block, 1);
-        auto rows = run_blocks(
-            what_.spec, what_.plan, blocks, seconds_, [&] { return keep_running() && !are_taken_over(blocks); },
-            what_.known);
-        are_there_ = false;
-        if (rows) {
+        if (auto rows = run(std::span(&block, 1))) {
             computed_.push_back({block, rows->front().pack()});
             commit();
             fresh_ = 0;  // whoever holds it counts it
