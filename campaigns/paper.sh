@@ -7,10 +7,10 @@
 # --out: where results and page go (default: paper, in the folder you are in); results that are complete there, and of the
 # same program, campaign, waves and records (NAME.asked), are taken as they are. --records: recorded waves, laid out as campaigns/records_one_axis.toml says; without it that part is left out
 # and said. --quick: few waves, to see that it works; its numbers mean nothing.
-# What remains there, some 30 MB (quick 9): the page and its data (paper.html, paper.json), the figures, steady.csv, and of
+# What remains there, some 40 MB (quick 9): the page and its data (paper.html, paper.json), the figures, steady.csv, and of
 # each study the results, the fits and what was printed.
 # The program is OVERTURN, else the one in PATH, else where quickstart.sh builds it; ranks are OVERTURN_RANKS, else one per
-# core. Takes 8 min of CPU time.
+# core. Takes 6 min of CPU time.
 set -euo pipefail
 campaigns=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 out=paper records=${OVERTURN_RECORDS:-} quick=
