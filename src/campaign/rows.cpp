@@ -188,10 +188,8 @@ template <> Fields const& fields_of<TrialRow>() {
             field<&T::v_wes_mps>("v_wes", "m/s", "max over time of the window energy spectrum at this level"),
             field<&T::ou_v_e_mps>("ou_v_e", "m/s", "Akiyama's ouV_E at this level"),
             field<&T::v_ereq_mps>("v_ereq", "m/s", "limit velocity sqrt(2 g (R - h)) of the body"),
-            field<&T::v_wes_safe>("v_wes_safe", "1", "1: V_WES < V_Ereq says it does not overturn")
-                .if_absent(unknown_category),
-            field<&T::ou_v_e_safe>("ou_v_e_safe", "1", "1: ouV_E < V_Ereq says it does not overturn")
-                .if_absent(unknown_category),
+            field<&T::v_wes_safe>("v_wes_safe", "1", "1: predicted safe, V_WES < V_Ereq").if_absent(unknown_category),
+            field<&T::ou_v_e_safe>("ou_v_e_safe", "1", "1: predicted safe, ouV_E < V_Ereq").if_absent(unknown_category),
             field<&T::least_clearance_m>("least_clearance", "m",
                                          "least distance left to the next cask or wall, slip and tilt together; below "
                                          "0: it may touch"),

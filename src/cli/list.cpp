@@ -108,6 +108,18 @@ int list_columns(ListOptions const& options) {
     return done;
 }
 
+void print_measures() {
+    print_entries("level measures (levels.measure)", level_measures());
+    fmt::print(
+        "curve measures (measures.curves); curves over the levels' own, and over what is measured, come by "
+        "themselves\n");
+    for (auto const& measure : intensity_measures) {
+        if (measure.curves == Curves::asked) {
+            fmt::print("  {:<22} {}\n", measure.name, measure.meaning);
+        }
+    }
+}
+
 void print_limits() {
     fmt::print("limit states (limits.quantity)\n");
     for (auto const& quantity : limit_quantities()) {
@@ -145,7 +157,7 @@ constexpr auto sections = std::to_array<Section>(
      {"acceptance", [] { print_entries("acceptance rules (waves.acceptance)", acceptance_rules()); }},
      {"formats", [] { print_entries("record formats", record_formats()); }},
      {"effects", [] { print_entries("effects (effects.include)", effects()); }},
-     {"measures", [] { print_entries("level measures (levels.measure)", level_measures()); }},
+     {"measures", &print_measures},
      {"limits", &print_limits},
      {"trial", &print_quantities}});
 

@@ -1,12 +1,8 @@
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include "campaign/body_spec.hpp"
 #include "campaign/warnings.hpp"
@@ -17,9 +13,9 @@
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "motion/drift.hpp"
+#include "output/response_text.hpp"
 #include "report/figure.hpp"
 #include "response/model_selector.hpp"
-#include "response/registry.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -31,115 +27,6 @@ struct RockOptions {
     VelocityUnit unit;
     bool json = false;
 };
-
-nlohmann::ordered_json names_json(std::int64_t mask) {
-    auto names = nlohmann::ordered_json::array();
-    for (auto const& entry : effects()) {
-        if (has(static_cast<EffectMask>(mask), entry.value)) {
-            names.push_back(entry.name);
-        }
-    }
-    return names;
-}
-
-// What never came is null.
-nlohmann::ordered_json value_json(std::span<std::byte const> row, Field const& field) {
-    if (field.type == FieldType::category) {
-        return category_at(row, field);
-    }
-    if (field.type == FieldType::integer) {
-        return integer_at(row, field);
-    }
-    double const value = real_at(row, field);
-    return std::isnan(value) ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(value);
-}
-
-// Quantities that models share are those of the one that ran: the others know nothing of theirs.
-void add_own_json(nlohmann::ordered_json& json, ModelSelector const& selector, std::span<std::byte const> own) {
-    static constexpr std::array matched{"restitution", "corner_share", "normal_restitution"};
-    for (auto const& [traits, offset] : selector.extra_parts()) {
-        for (auto const& field : traits->fields) {
-            auto& place =
-                std::ranges::count(matched, field.name) > 0 ? json["matched"][field.key()] : json[field.key()];
-            if (place.is_null()) {
-                place = value_json(own.subspan(offset), field);
-            }
-        }
-    }
-}
-
-void print_json(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& response,
-                ModelSelector const& selector, std::span<std::byte const> own) {
-    nlohmann::ordered_json json;
-    for (auto const& field : fields_of<Response>()) {
-        json[field.key()] = value_json(bytes_of(response), field);
-    }
-    json["effects"] = names_json(response.effects);
-    json["effects_called"] = names_json(response.called);
-    json["overturned"] = entry_of(response.verdict).fell;
-    json["response_velocity_mps"] = json["v_resp_mps"];
-    json["limit_velocity_mps"] = spec.body.limit_velocity_mps();
-    json["restitution"] = spec.body.restitution();
-    json["record"] = record_json(record);
-    json["residual_velocity_mps"] = drift.end_velocity_mps;
-    json["residual_displacement_m"] = drift.end_displacement_m;
-    add_own_json(json, selector, own);
-    fmt::print("{}\n", json.dump(2));
-}
-
-std::string_view summary_of_reason(std::int64_t number) {
-    return std::ranges::find(reasons(), number, &ReasonEntry::number)->summary;
-}
-
-std::string time_text(double time_s) { return std::isnan(time_s) ? "never" : fmt::format("at {:.3f} s", time_s); }
-
-void print_text(BodySpec const& spec, PlacedRecord const& record, Drift const& drift, Response const& r,
-                ModelSelector const& selector, std::span<std::byte const> own, VelocityUnit const& unit) {
-    auto const& b = spec.body;
-    fmt::print("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} m/s2, V_Ereq {}\n", spec.name,
-               b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(), b.uplift_acceleration_mps2(),
-               unit.text(b.limit_velocity_mps()));
-    fmt::print("read as          {}\n", record.read_as());
-    for (auto const& claim : record.claims) {
-        if (claim.starts_with("left out: ")) {
-            fmt::print("left out         {}\n", claim.substr(claim.find(' ', claim.find(':')) + 1));
-        }
-    }
-    for (auto const& line : record.unread) {
-        fmt::print("not understood   {}\n", line);
-    }
-    fmt::print("wave             {}{}\n", drift.text(),
-               drift.any_excessive() ? ": its baseline drifts, correct it with --baseline" : "");
-    fmt::print("verdict          {}\n", entry_of(r.verdict).name);
-    if (std::isnan(r.peak_rotation_rad)) {
-        return;  // no model ran it: the error says why
-    }
-    fmt::print("peak rotation    {:.6g} rad = {:.4g} deg = {:.4f} alpha, {}\n", r.peak_rotation_rad,
-               r.peak_rotation_rad * 180 / pi, r.peak_rotation_ratio, time_text(r.time_of_peak_s));
-    fmt::print("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
-    fmt::print("V_resp           {}\n", unit.text(r.response_velocity_mps));
-    fmt::print("first uplift     {}, {} impacts\n", time_text(r.first_uplift_s), r.impacts);
-    fmt::print("overturned       {}, off the ground {}\n", time_text(r.overturn_time_s), time_text(r.contact_lost_s));
-    fmt::print("slip             {:.6g} m at most, {:.6g} m left\n", r.peak_slip_m, r.residual_slip_m);
-    fmt::print("friction demand  {}, least contact force {:.4f} m g\n",
-               std::isnan(r.friction_demand) ? "unknown" : fmt::format("{:.4f}", r.friction_demand),
-               r.min_contact_force_ratio);
-    fmt::print("effects          {} (called for: {}); {}\n", names_of_effects(static_cast<EffectMask>(r.effects)),
-               names_of_effects(static_cast<EffectMask>(r.called)), summary_of_reason(r.reason));
-    for (auto const& [traits, offset] : selector.extra_parts()) {
-        if (traits->number != r.model) {
-            continue;
-        }
-        for (auto const& field : traits->fields) {
-            auto const values = own.subspan(offset);
-            auto const degrees = field.units == "rad" && std::isfinite(real_at(values, field))
-                                     ? fmt::format(" = {:.4g} deg", real_at(values, field) * 180 / pi)
-                                     : std::string();
-            fmt::print("{:<25}{} {}{}: {}\n", field.name, value_json(values, field).dump(),
-                       field.units == "1" ? "" : field.units, degrees, field.description);
-        }
-    }
-}
 
 int rock(RockOptions const& options) {
     validate(std::isfinite(options.scale), "--scale {} (must be finite). Give a factor such as 1.5", options.scale);
@@ -192,10 +79,11 @@ int rock(RockOptions const& options) {
         MeasureSpec const usual;
         draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual}, options.unit, options.plot);
     }
+    output::OneResponse const answer{spec, record, drift_of(motion), response, selector, own};
     if (options.json) {
-        print_json(spec, record, drift_of(motion), response, selector, own);
+        fmt::print("{}\n", output::json_of(answer).dump(2));
     } else {
-        print_text(spec, record, drift_of(motion), response, selector, own, options.unit);
+        fmt::print("{}", output::text_of(answer, options.unit));
     }
     if (response.verdict == Verdict::failed) {
         throw SystemError(fmt::format("no verdict ({}). Check unit and scale", entry_of(response.failure).summary));

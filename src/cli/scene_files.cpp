@@ -52,18 +52,6 @@ PlacedRecord load_motion(RecordOptions const& options) {
     return placed;
 }
 
-nlohmann::ordered_json record_json(PlacedRecord const& record) {
-    return {{"format", record.format},
-            {"components", record.components},
-            {"unit", name_of_acceleration_unit(record.unit_mps2)},
-            {"time_step_s", record.motion.time_step_s},
-            {"samples", record.motion.samples()},
-            {"duration_s", record.motion.duration_s()},
-            {"used", record.says},
-            {"claims", record.claims},
-            {"not_understood", record.unread}};
-}
-
 void note_warnings(std::vector<std::string> const& lines) {
     for (auto const& line : lines) {
         print_note("warning: {}\n", line);

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
-
 #include "campaign/body_spec.hpp"
 #include "cli/command_line.hpp"
 #include "motion/recording.hpp"
@@ -32,10 +30,6 @@ void add_record_options(Verb& verb, RecordOptions& options);
 
 /// Says on stderr what was used if that is more than the file named. \throws InputError
 [[nodiscard]] PlacedRecord load_motion(RecordOptions const& options);
-
-/// Facts of a record as it was read, for `record` of a JSON answer: format, components, unit, time step, samples,
-/// duration and changes. A reader of the JSON can check the record by them.
-[[nodiscard]] nlohmann::ordered_json record_json(PlacedRecord const& record);
 
 /// Each as "warning: ..." on stderr.
 void note_warnings(std::vector<std::string> const& lines);

@@ -11,10 +11,10 @@
 #include "cli/figures.hpp"
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
-#include "cli/wave_report.hpp"
 #include "core/print_note.hpp"
 #include "motion/record_writer.hpp"
 #include "motion/text_lines.hpp"
+#include "output/wave_text.hpp"
 #include "report/figure.hpp"
 
 namespace overturn::cli {
@@ -94,7 +94,7 @@ int show_wave(WaveOptions const& options) {
     auto const made = spec.source->make(spec.seed, id);
     auto const check = check_wave(made, spec.bodies, spec.measures.radius_unit);
     if (options.json) {
-        fmt::print("{}", wave_json(spec, made, check));
+        fmt::print("{}", output::wave_json(spec, made, check));
     }
     if (options.output.empty() && options.plot.empty()) {
         fmt::print("{}", options.json ? "" : csv_text(made.motion));
@@ -107,7 +107,7 @@ int show_wave(WaveOptions const& options) {
         draw_campaign_wave(input, spec, made, options.unit, options.plot);
         print_note("{}: {}\n", options.plot, made.label);
     }
-    print_note("{}", wave_report(spec, made, check));
+    print_note("{}", output::wave_text(spec, made, check));
     for (auto const& line : warnings_of(spec)) {
         print_note("warning: {}\n", line);
     }

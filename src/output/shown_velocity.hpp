@@ -7,21 +7,17 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "cli/command_line.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "stats/intensity_unit.hpp"
 
-namespace overturn::cli {
+namespace overturn::output {
 
 /// "m/s", or the user's unit: kine.
-struct VelocityUnit {
+struct ShownVelocity {
     static constexpr char const* usual = "m/s";
     std::string symbol = usual;
 
-    void offered_by(Verb& verb) {
-        verb.takes("--velocities", symbol, "unit of velocities in figures and tables: kine, m/s");
-    }
     /// SI value of one of it. \throws InputError if it is no unit of velocity
     [[nodiscard]] double si() const {
         try {
@@ -46,4 +42,4 @@ struct VelocityUnit {
     [[nodiscard]] nlohmann::ordered_json json() const { return {{"symbol", symbol}, {"si", si()}}; }
 };
 
-}  // namespace overturn::cli
+}  // namespace overturn::output

@@ -1,17 +1,17 @@
-#include "cli/wave_report.hpp"
+#include "output/wave_text.hpp"
 
 #include <utility>
 
-#include <nlohmann/json.hpp>
+#include <fmt/format.h>
 
 #include "campaign/intensity_measure.hpp"
 #include "campaign/rocking_band.hpp"
 #include "campaign/warnings.hpp"
-#include "cli/json_values.hpp"
 #include "motion/ground_motion.hpp"
 #include "motion/intensity.hpp"
+#include "output/json.hpp"
 
-namespace overturn::cli {
+namespace overturn::output {
 namespace {
 
 std::string match_text(char const* name, MatchReport const& match) {
@@ -59,7 +59,7 @@ Json match_json(MatchReport const& match) {
 
 }  // namespace
 
-std::string wave_report(CampaignSpec const& spec, GeneratedWave const& wave, WaveCheck const& check) {
+std::string wave_text(CampaignSpec const& spec, GeneratedWave const& wave, WaveCheck const& check) {
     auto text = match_text("match", wave.match) + match_text("transverse match", wave.transverse_match)
                 + match_text("vertical match", wave.vertical_match);
     for (std::size_t b = 0; b < spec.bodies.size() && !wave.ratios.empty(); ++b) {
@@ -141,4 +141,4 @@ std::string wave_json(CampaignSpec const& spec, GeneratedWave const& wave, WaveC
     return json.dump(2) + "\n";
 }
 
-}  // namespace overturn::cli
+}  // namespace overturn::output

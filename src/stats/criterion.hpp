@@ -1,4 +1,4 @@
-/// The criterion "measure < limit means it does not overturn" on trial against time histories of the same waves.
+/// The criterion "measure < limit: safe" on trial against time histories of the same waves.
 #pragma once
 
 #include <optional>

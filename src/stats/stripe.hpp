@@ -25,7 +25,7 @@ struct Stripe {
     [[nodiscard]] Interval interval(double confidence) const;
 };
 
-/// Predictions of a criterion "measure < limit means it does not overturn" against time histories.
+/// Predictions of a criterion "measure < limit: safe" against time histories.
 struct Confusion {
     std::int64_t false_safe = 0;     ///< predicted safe, overturned: the count that matters
     std::int64_t false_alarm = 0;    ///< predicted unsafe, did not overturn

@@ -116,6 +116,10 @@ TEST_F(Verbs, SpectrumJson) {
     double const radius = std::hypot(0.45, 1.045);
     EXPECT_NEAR(spectrum["energy"]["v_ereq_mps"].get<double>(), std::sqrt(2 * 9.80665 * (radius - 1.045)), 1e-9);
     EXPECT_FALSE(without.contains("energy"));
+    // A prediction is called one; whether the body falls is for its history to tell.
+    auto const text = done({"spectrum", "--wave", "sine.csv", "--unit", "g", "--body", "body.toml"}).out;
+    EXPECT_EQ(text.find("overturn\n"), std::string::npos) << text;
+    EXPECT_NE(text.find(": predicted "), std::string::npos) << text;
     EXPECT_EQ(spectrum["units"]["cav"], "m/s");
     EXPECT_GT(spectrum["cav"].get<double>(), spectrum["pgv"].get<double>()) << "of a wave that swings";
 }
@@ -169,6 +173,8 @@ TEST_F(Verbs, ListNamesEverythingThatCanBeAskedFor) {
     auto const measures = done({"list", "measures"}).out;
     EXPECT_EQ(measures.rfind("level measures (levels.measure)\n", 0), 0U) << measures;
     EXPECT_NE(measures.find("  pgv "), std::string::npos) << measures;
+    EXPECT_NE(measures.find("  standardised_cav ", measures.find("curve measures (measures.curves)")),
+              std::string::npos);
     EXPECT_EQ(measures.find("mlit-ch1"), std::string::npos) << "one list alone";
     EXPECT_NE(ended.out.find(measures), std::string::npos) << "and it is part of the whole";
 }

@@ -1,0 +1,109 @@
+#include "output/record_text.hpp"
+
+#include <fmt/format.h>
+
+#include "campaign/intensity_measure.hpp"
+#include "motion/column_unit.hpp"
+
+namespace overturn::output {
+
+Json record_json(PlacedRecord const& record) {
+    return {{"format", record.format},
+            {"components", record.components},
+            {"unit", name_of_acceleration_unit(record.unit_mps2)},
+            {"time_step_s", record.motion.time_step_s},
+            {"samples", record.motion.samples()},
+            {"duration_s", record.motion.duration_s()},
+            {"used", record.says},
+            {"claims", record.claims},
+            {"not_understood", record.unread}};
+}
+
+Json json_of(PlacedRecord const& record, RecordSpectra const& m) {
+    Json json{{"record", record_json(record)},
+              {"pga", m.intensity.pga_mps2},
+              {"pgv", m.intensity.pgv_mps},
+              {"pgd", m.intensity.pgd_m},
+              {"arias", m.intensity.arias_mps},
+              {"residual_velocity", m.drift.end_velocity_mps},
+              {"residual_displacement", m.drift.end_displacement_m},
+              {"residual_velocity_over_pgv", m.drift.share()},
+              {"units",
+               {{"pga", "m/s2"},
+                {"pgv", "m/s"},
+                {"pgd", "m"},
+                {"arias", "m/s"},
+                {"residual_velocity", "m/s"},
+                {"residual_displacement", "m"},
+                {"residual_velocity_over_pgv", "1"}}},
+              {"damping", m.damping},
+              {"period_s", m.response.period_s},
+              {"sa_mps2", m.response.sa_mps2},
+              {"sv_mps", m.response.sv_mps},
+              {"sd_m", m.response.sd_m},
+              {"psa_mps2", m.response.psa_mps2},
+              {"psv_mps", m.response.psv_mps},
+              {"v_e_mps", m.v_e_mps},
+              {"v_e0_mps", m.v_e0_mps}};
+    for (auto const& [measure, value] : measures_of(record.motion)) {
+        json[std::string(measure->name)] = value;
+        json["units"][std::string(measure->name)] = measure->units();
+    }
+    if (auto const& energy = m.energy) {
+        json["energy"] = {{"T0_s", energy->band.t0_s},
+                          {"T1_s", energy->band.t1_s},
+                          {"ou_v_e_mps", energy->restarted.ou_v_e_mps},
+                          {"v_wes_max_mps", energy->restarted.v_wes_max_mps},
+                          {"v_wes_time_s", energy->restarted.v_wes_time_s},
+                          {"v_wes_running_max_mps", energy->running.v_wes_max_mps},
+                          {"v_wes_running_time_s", energy->running.v_wes_time_s},
+                          {"v_ereq_mps", energy->v_ereq_mps},
+                          {"v_wes_safe", energy->restarted.v_wes_max_mps < energy->v_ereq_mps},
+                          {"ou_v_e_safe", energy->restarted.ou_v_e_mps < energy->v_ereq_mps}};
+    }
+    return json;
+}
+
+std::string text_of(PlacedRecord const& record, RecordSpectra const& m, ShownVelocity const& unit, std::size_t every) {
+    auto const& symbol = unit.symbol;
+    auto text = fmt::format("read as {}\n", record.read_as());
+    for (auto const& claim : record.claims) {
+        text += fmt::format("by its text, {}\n", claim);
+    }
+    for (auto const& line : record.unread) {
+        text += fmt::format("not understood, {}\n", line);
+    }
+    text += fmt::format("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} {}, PGD {:.5g} m, Arias {:.5g} m/s\n",
+                        m.intensity.pga_mps2, 100 * m.intensity.pga_mps2, unit.of(m.intensity.pgv_mps), symbol,
+                        m.intensity.pgd_m, m.intensity.arias_mps);
+    std::string further;
+    for (auto const& [measure, value] : measures_of(record.motion)) {
+        further += fmt::format("{}{} {:.5g} {}", further.empty() ? "" : ", ", measure->title, value, measure->units());
+    }
+    text += fmt::format("{}\n", further);
+    text += fmt::format("{}{}\n", m.drift.text(),
+                        m.drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
+    if (auto const& energy = m.energy) {
+        auto const verdict = [&](double v) { return v < energy->v_ereq_mps ? "predicted safe" : "predicted unsafe"; };
+        text += fmt::format("T0 {:.4f} s, T1 {:.4f} s, V_Ereq {:.4f} {}\n", energy->band.t0_s, energy->band.t1_s,
+                            unit.of(energy->v_ereq_mps), symbol);
+        text += fmt::format("ouV_E {:.4f} {}: {}\n", unit.of(energy->restarted.ou_v_e_mps), symbol,
+                            verdict(energy->restarted.ou_v_e_mps));
+        text += fmt::format("V_WES {:.4f} {} at {:.2f} s: {} (running window: {:.4f} {})\n",
+                            unit.of(energy->restarted.v_wes_max_mps), symbol, energy->restarted.v_wes_time_s,
+                            verdict(energy->restarted.v_wes_max_mps), unit.of(energy->running.v_wes_max_mps), symbol);
+        text += "these are predictions, which can be false: overturn rock tells whether it falls under this wave\n";
+    }
+    text += fmt::format("\n{:>9} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "period s", "Sa m/s2", "pSv " + symbol, "Sd m",
+                        "V_E " + symbol, "V_E0 " + symbol);
+    for (std::size_t i = 0; i < m.response.period_s.size(); i += every) {
+        text += fmt::format("{:>9.4f} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g}\n", m.response.period_s[i],
+                            m.response.sa_mps2[i], unit.of(m.response.psv_mps[i]), m.response.sd_m[i],
+                            unit.of(m.v_e_mps[i]), unit.of(m.v_e0_mps[i]));
+    }
+    text += fmt::format("damping {:g}{}\n", m.damping,
+                        every == 1 ? "" : fmt::format("; all {} periods with --json", m.response.period_s.size()));
+    return text;
+}
+
+}  // namespace overturn::output
