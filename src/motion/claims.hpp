@@ -38,7 +38,6 @@ class Claims {
     [[nodiscard]] std::string const& doubt() const { return doubt_; }
     /// [s]
     [[nodiscard]] std::optional<double> time_step_s() const { return step_.value; }
-    [[nodiscard]] int time_step_line() const { return step_.line; }
     /// SI value of one unit of the times.
     [[nodiscard]] std::optional<double> time_unit_s() const { return time_unit_.value; }
     [[nodiscard]] int time_unit_line() const { return time_unit_.line; }

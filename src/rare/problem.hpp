@@ -61,11 +61,4 @@ class Problem {
     [[nodiscard]] virtual Moment moment(std::span<double const> /*normals*/, double /*factor*/) const { return {}; }
 };
 
-/// The answer at one factor.
-[[nodiscard]] inline Answer respond_at(Problem const& problem, std::span<double const> normals, double factor) {
-    Answer answer;
-    problem.respond(normals, {&factor, 1}, {&answer, 1});
-    return answer;
-}
-
 }  // namespace overturn::rare

@@ -10,6 +10,7 @@
 #include "rare/detail/normals.hpp"
 #include "rare/pulse_mixture.hpp"
 #include "support/campaigns.hpp"
+#include "support/rare_answer.hpp"
 
 namespace overturn {
 namespace {

@@ -4,6 +4,7 @@
 
 #include "rare/detail/normals.hpp"
 #include "support/campaigns.hpp"
+#include "support/rare_answer.hpp"
 
 namespace overturn {
 namespace {

@@ -9,6 +9,7 @@
 #include "rare/detail/normals.hpp"
 #include "rare/pulse_mixture.hpp"
 #include "rare/subset.hpp"
+#include "support/rare_answer.hpp"
 #include "support/rocking_noise.hpp"
 
 namespace overturn::rare {
