@@ -55,6 +55,7 @@ TEST_F(Resume, AfterASignalToMpirun) {
     Running again(folder, {OVERTURN_PROGRAM, "run", "c.toml", "--resume"});
     auto const before = blocks_done(folder, "c.h5");
     ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > before + 2; }));
+    EXPECT_TRUE(children_of(again.pid()).empty()) << "no launcher, so no daemon beside it either";
     again.signal(SIGTERM);
 
     expect_resumable(again.wait());
