@@ -113,9 +113,9 @@ SampledPulse sample_pulse(PulseShape const& shape, double period_s, double longe
 
 SampledPulse sample_pulse_alone(PulseShape const& shape, double period_s, double longest_step_s) {
     auto pulse = sample_pulse(shape, period_s, longest_step_s);
-    if (shape.jumps) {
-        pulse.values.insert(pulse.values.begin(), 0);
-        pulse.values.push_back(0);
+    if (shape.jumps) {  // the motion begins and ends with it: no chord leads to or from its ends
+        pulse.values.front() = shape.at(0);
+        pulse.values.back() = shape.at(shape.length);
     }
     return pulse;
 }

@@ -45,8 +45,7 @@ struct SampledPulse {
 /// \param longest_step_s the time step is shortened so that samples hit ends and peaks
 [[nodiscard]] SampledPulse sample_pulse(PulseShape const& shape, double period_s, double longest_step_s);
 
-/// The same with a sample of 0 beside each end that jumps, so that the pulse's area is whole where nothing surrounds
-/// it.
+/// The same of a motion that begins and ends with the pulse: ends that jump have their whole value, and no chord.
 [[nodiscard]] SampledPulse sample_pulse_alone(PulseShape const& shape, double period_s, double longest_step_s);
 
 }  // namespace overturn

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <utility>
 
 #include <fmt/ranges.h>
 
@@ -18,7 +19,7 @@
 namespace overturn::cli {
 namespace {
 
-constexpr int samples_per_period = 2000;  // chords miss a sine by 1.2e-6 of its peak at most
+constexpr int samples_per_period = 2000;  // chords miss a sine by 1.2e-6 of its peak at most; jumps are jumps
 constexpr double default_highest = 30;
 constexpr double default_step = 0.01;
 
@@ -38,9 +39,10 @@ void take_body(output::OverturningSpectrum& spectrum, OverturningOptions const& 
     }
     validate(!options.p && options.alpha.empty() && !options.restitution,
              "--p, --alpha and --restitution beside --body (it states them). Leave one of them out");
-    auto const spec = symmetric_body(body, "an overturning spectrum");
-    spectrum.block = block_of(spec.body);
-    spectrum.body = spec.name;
+    auto plane = plane_body(body, "an overturning spectrum");
+    spectrum.block = plane.block;
+    spectrum.body = plane.spec.name;
+    spectrum.left_out = std::move(plane.left_out);
 }
 
 PulseParameters stated_parameters(OverturningOptions const& options) {
@@ -74,6 +76,9 @@ void sweep(output::OverturningSpectrum& spectrum, OverturningOptions const& opti
     auto const grid = number_grid(in_hz ? options.frequencies : ratios, in_hz ? "--frequencies" : "--ratios",
                                   least_ratio * unit, most_ratio * unit);
     spectrum.shaking = options.pulse;
+    if (options.linearised && options.pulse.ends_with("-sine")) {
+        spectrum.half_cycles = options.pulse == "one-sine" ? 2 : 1;
+    }
     for (double const value : grid) {
         double const frequency = in_hz ? value : value * hz_per_ratio;
         auto const pulse = sample_pulse_alone(shape, 1 / frequency, 1 / frequency / samples_per_period);
@@ -108,7 +113,8 @@ void OverturningOptions::offered_by(Verb& verb) {
     verb.takes("--p", p, "frequency parameter of the block [rad/s], in place of --body");
     verb.takes("--alpha", alpha, "its critical angle, e.g. \"14 deg\"");
     verb.takes("--restitution", restitution, "of its impacts");
-    verb.takes("--ratios", ratios, "omega/p of the pulse: 1,2,5 or first:last:count; default 0.5:10:40");
+    verb.takes("--ratios", ratios,
+               "omega/p of the pulse, omega = 2 pi / its period: 1,2,5 or first:last:count; default 0.5:10:40");
     verb.takes("--frequencies", frequencies, "the same in Hz");
     verb.takes("--gamma", gamma, "of the pulse mavroeidis-papageorgiou");
     verb.takes("--phase", phase, "the same, e.g. \"90 deg\"");

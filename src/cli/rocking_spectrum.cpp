@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <string_view>
+#include <utility>
 
 #include "campaign/warnings.hpp"
 #include "cli/number_grid.hpp"
@@ -34,11 +35,11 @@ std::vector<RockingBlock> stated_blocks(std::string const& alphas, std::optional
 }
 
 RockingBlock block_of_file(output::RockingSpectrum& spectrum, std::string const& body) {
-    auto const spec = symmetric_body(body, "a rocking spectrum");
-    spectrum.body = spec.name;
-    auto const block = block_of(spec.body);
-    spectrum.body_period_s = 2 * pi / block.p_radps;
-    return block;
+    auto plane = plane_body(body, "a rocking spectrum");
+    spectrum.body = plane.spec.name;
+    spectrum.left_out = std::move(plane.left_out);
+    spectrum.body_period_s = 2 * pi / plane.block.p_radps;
+    return plane.block;
 }
 
 output::RockingCurve curve_of(RockingBlock block, Excitation const& shaking, std::vector<double> const& periods) {

@@ -96,6 +96,9 @@ int show_rocking(SpectrumOptions const& options) {
 
 int spectrum(SpectrumOptions const& options) {
     auto const& [overturning, rocking] = std::tie(options.overturning, options.rocking);
+    if (!overturning.output.empty()) {
+        store::require_writable(overturning.output);
+    }
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }

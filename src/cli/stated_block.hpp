@@ -3,8 +3,10 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "campaign/body_spec.hpp"
+#include "rocking/planar_rocking.hpp"
 
 namespace overturn::cli {
 
@@ -17,8 +19,15 @@ namespace overturn::cli {
 /// Checked value of --restitution, from 0 to 1. \throws InputError
 [[nodiscard]] double stated_restitution(double value);
 
+/// A body as a rigid block on two corners in one plane.
+struct PlaneBody {
+    BodySpec spec;
+    RockingBlock block;                 ///< where its base has a restitution of its own, with that
+    std::vector<std::string> left_out;  ///< what the file states and the block has not
+};
+
 /// The body of a file, with its warnings on stderr. \param spectrum names the request in messages: "a rocking spectrum"
 /// \throws InputError where it has slope, offset or initial tilt
-[[nodiscard]] BodySpec symmetric_body(std::string const& file, char const* spectrum);
+[[nodiscard]] PlaneBody plane_body(std::string const& file, char const* spectrum);
 
 }  // namespace overturn::cli

@@ -10,6 +10,8 @@
 
 #include "core/outward.hpp"
 #include "core/units.hpp"
+#include "output/detail/left_out.hpp"
+#include "rocking/closed_forms.hpp"
 
 namespace overturn::output {
 namespace {
@@ -58,10 +60,11 @@ std::string head_of(OverturningSpectrum const& spectrum) {
     auto const& block = spectrum.block;
     bool const linear = spectrum.scan.accuracy.restoring == Restoring::linear;
     return fmt::format(
-        "{} under {}{}: {}rigid block on two corners, in one plane, without slip\n"
-        "alpha {:.5g} deg, p {:.5g} rad/s, e {:.5g}; alpha g = {:.5g} m/s2\n",
-        spectrum.body, spectrum.shaking, parameters_text(spectrum), linear ? "linearised " : "",
-        block.alpha_rad * 180 / pi, block.p_radps, block.restitution, spectrum.alpha_g_mps2());
+               "{} under {}{}: {}rigid block on two corners, in one plane, without slip\n"
+               "alpha {:.5g} deg, p {:.5g} rad/s, e {:.5g}; alpha g = {:.5g} m/s2\n",
+               spectrum.body, spectrum.shaking, parameters_text(spectrum), linear ? "linearised " : "",
+               block.alpha_rad * 180 / pi, block.p_radps, block.restitution, spectrum.alpha_g_mps2())
+           + left_out_text(spectrum.left_out);
 }
 
 // What is seen of the ranges in so many digits: one that stands, and is too narrow for them, is not.
@@ -119,6 +122,9 @@ Json json_of(OverturningSpectrum const& spectrum) {
         one["stands_to_mps2"] = json_of(Cell(stands));
         one["overturning_mps2"] = json_of(Cell(least));
         one["overturning_over_alpha_g"] = json_of(Cell(least / spectrum.alpha_g_mps2()));
+        if (spectrum.half_cycles) {
+            one["closed_form_over_alpha_g"] = sine_without_impact(spectrum.omega_over_p(point), *spectrum.half_cycles);
+        }
         one["ranges"] = ranges_json(spectrum, point);
         points.push_back(std::move(one));
     }
@@ -130,6 +136,7 @@ Json json_of(OverturningSpectrum const& spectrum) {
     if (spectrum.of_record) {
         json["pga_mps2"] = spectrum.peak_mps2;
     }
+    json["left_out"] = spectrum.left_out;
     json["alpha_rad"] = spectrum.block.alpha_rad;
     json["p_radps"] = spectrum.block.p_radps;
     json["restitution"] = spectrum.block.restitution;

@@ -20,7 +20,9 @@ struct OverturningPoint {
 
 struct OverturningSpectrum {
     std::string body, shaking;
+    std::vector<std::string> left_out = {};     ///< what the body's file states and the block has not
     std::optional<PulseParameters> parameters;  ///< of a pulse that has some
+    std::optional<int> half_cycles = {};        ///< of a pulse whose linearised block has a closed form
     RockingBlock block;
     OverturningScan scan;
     double peak_mps2 = 1;  ///< that a factor of 1 stands for: PGA of the record

@@ -31,10 +31,11 @@ std::string html_of(RecordPage const& page) {
 :root {{ color-scheme: light dark; --ink: #222; --paper: #fff; --quiet: #595959; --pass: #17633a; --fail: #a02020; }}
 @media screen and (prefers-color-scheme: dark) {{
   :root {{ --ink: #e4e4e4; --paper: #121212; --quiet: #b0b0b0; --pass: #7fd3a5; --fail: #ff9b93; }} }}
-body {{ font: 15px/1.5 sans-serif; color: var(--ink); background: var(--paper); max-width: 70rem; margin: 2rem auto; padding: 0 1rem;
+body {{ font: 15px/1.5 sans-serif; color: var(--ink); background: var(--paper); max-width: 90rem; margin: 2rem auto; padding: 0 1rem;
        overflow-wrap: anywhere; }}
 div {{ overflow-x: auto; }} table {{ border-collapse: collapse; }}
 th, td {{ text-align: left; vertical-align: top; padding: .25rem .75rem .25rem 0; border-bottom: 1px solid #8886; }}
+td:nth-child(-n+2), th {{ white-space: nowrap; }}
 .pass td:first-child {{ color: var(--pass); }} .fail td {{ color: var(--fail); font-weight: bold; }}
 dt {{ color: var(--quiet); }} dd {{ margin: 0 0 .4rem; }}
 @media print {{ body {{ font-size: 10pt; margin: 0; }} tr {{ break-inside: avoid; }} }}

@@ -7,6 +7,7 @@
 
 #include "core/outward.hpp"
 #include "core/units.hpp"
+#include "output/detail/left_out.hpp"
 
 namespace overturn::output {
 namespace {
@@ -47,6 +48,7 @@ Json json_of(RockingSpectrum const& spectrum) {
     if (spectrum.body_period_s) {
         json["body"] = spectrum.body;
         json["body_rocking_period_s"] = *spectrum.body_period_s;
+        json["left_out"] = spectrum.left_out;
     }
     json["curves"] = std::move(curves);
     return json;
@@ -78,6 +80,7 @@ std::string text_of(RockingSpectrum const& spectrum) {
     auto const out = std::back_inserter(text);
     if (spectrum.body_period_s) {
         fmt::format_to(out, "{}: 2 pi / p = {:.5g} s\n", spectrum.body, *spectrum.body_period_s);
+        text += left_out_text(spectrum.left_out);
     }
     auto const row = [&](char const* head, auto const& of_curve) {
         fmt::format_to(out, "{:>8} {:>8}", head, "");

@@ -24,6 +24,7 @@ struct RockingCurve {
 struct RockingSpectrum {
     std::string body, record;  ///< body: empty where angles are stated
     std::optional<double> body_period_s = {};
+    std::vector<std::string> left_out = {};  ///< what the body's file states and its block has not
     double pga_mps2 = 0;
     std::vector<RockingCurve> curves;
 };

@@ -81,7 +81,7 @@ values = {from = "300 gal", to = "1500 gal", count = 7}
 
 // SHA-256 of the digests of all stored rows, by kind of machine: the same on every x86-64 CPU.
 std::string known_rows(std::string const& kind) {
-    return kind == "x86-64" ? "113824ec8bbef64c4ff59d9b5ba3d3e2b5ea980470790d1dcdb67d6c3e343b44" : "";
+    return kind == "x86-64" ? "dd502b3930de43125beee2d3d3122da12ce9b8af1af1c6d121a79c3415852dbd" : "";
 }
 
 CampaignInput campaign() {

@@ -5,6 +5,18 @@
 
 namespace overturn::qualify {
 
+char const* name_of(Basis basis) {
+    switch (basis) {
+        case Basis::printed:
+            return "printed";
+        case Basis::solved_again:
+            return "solved again";
+        case Basis::law:
+            break;
+    }
+    return "law";
+}
+
 double Check::error() const { return std::abs(found - expected); }
 
 bool Check::agrees() const { return error() <= tolerance; }

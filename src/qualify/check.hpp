@@ -6,6 +6,14 @@
 
 namespace overturn::qualify {
 
+/// What an expected value rests on.
+enum class Basis {
+    printed,       ///< a number, or a formula, that others printed
+    solved_again,  ///< a published problem; its source was not at hand, or prints no number
+    law            ///< a closed form, or a symmetry, that needs no source
+};
+[[nodiscard]] char const* name_of(Basis basis);
+
 struct Check {
     std::string number;  ///< "M-03"; never given to another check
     std::string shows;   ///< statement that holds if it passes
@@ -16,6 +24,7 @@ struct Check {
     std::string remark = {};  ///< further facts for a reader
     /// Why a published number is another one than what is right; empty: it is to be met. No failure then.
     std::string differs_because = {};
+    Basis basis = Basis::printed;
 
     [[nodiscard]] double error() const;
     /// Within the tolerance; false also where nothing finite was found.

@@ -3,8 +3,8 @@
 
 #include "body/rigid_body.hpp"
 #include "body/similarity.hpp"
+#include "core/boundary.hpp"
 #include "model/trial.hpp"
-#include "qualify/detail/boundary.hpp"
 #include "qualify/known_answers.hpp"
 #include "rocking/closed_forms.hpp"
 #include "rocking/planar_rocking.hpp"

@@ -16,8 +16,10 @@ namespace {
 char const* word(Check const& check) { return check.agrees() ? "PASS" : check.passed() ? "DIFF" : "FAIL"; }
 
 // Counts need no tolerance.
+bool is_count(Check const& check) { return check.tolerance == 0 && check.expected == 0; }
+
 std::string found_text(Check const& check) {
-    if (check.tolerance == 0 && check.expected == 0) {
+    if (is_count(check)) {
         return fmt::format("{:g} {}", check.found, check.unit);
     }
     auto const unit = check.unit == "1" ? "" : " " + check.unit;
@@ -27,9 +29,30 @@ std::string found_text(Check const& check) {
 
 std::string with_remark(std::string text, Check const& check) {
     for (auto const& more : {check.remark, check.agrees() ? std::string() : check.differs_because}) {
-        text += more.empty() ? "" : "; " + more;
+        text += more.empty() ? "" : (text.empty() ? "" : "; ") + more;
     }
     return text;
+}
+
+// "22 numbers that others printed, 20 published problems solved again and 4 laws"
+std::string bases_text(Qualification const& shown) {
+    auto const of = [&](Basis basis) { return std::ranges::count(shown.checks, basis, &Check::basis); };
+    return fmt::format("{} printed numbers, {} published problems solved again, {} laws", of(Basis::printed),
+                       of(Basis::solved_again), of(Basis::law));
+}
+
+std::vector<std::string> cells_of(Check const& check, bool published) {
+    auto const unit = check.unit == "1" ? "" : " " + check.unit;
+    std::vector<std::string> cells{word(check), check.number, check.shows, check.source};
+    if (published) {
+        cells.emplace_back(name_of(check.basis));
+    }
+    cells.push_back(fmt::format("{:.10g}{}", check.expected, unit));
+    cells.push_back(fmt::format("{:.10g}{}", check.found, unit));
+    cells.push_back(fmt::format("{:.1e}", check.error()));
+    cells.push_back(is_count(check) ? "0" : fmt::format("{:.1e}", check.tolerance));
+    cells.push_back(with_remark("", check));
+    return cells;
 }
 
 std::string with_source(LeftOut const& left) { return fmt::format("{} ({})", left.result, left.source); }
@@ -74,8 +97,9 @@ bool Qualification::passed() const { return std::ranges::all_of(checks, &Check::
 std::string text_of(Qualification const& shown) {
     std::string text;
     for (auto const& check : shown.checks) {
-        fmt::format_to(std::back_inserter(text), "{}  {}  {} ({}): {}\n", word(check), check.number, check.shows,
-                       check.source, with_remark(found_text(check), check));
+        fmt::format_to(std::back_inserter(text), "{}  {}  {} ({}{}): {}\n", word(check), check.number, check.shows,
+                       check.source, shown.published ? fmt::format("; {}", name_of(check.basis)) : "",
+                       with_remark(found_text(check), check));
     }
     for (auto const& left : shown.left_out) {
         fmt::format_to(std::back_inserter(text), "left out: {}: {}\n", with_source(left), left.reason);
@@ -83,7 +107,7 @@ std::string text_of(Qualification const& shown) {
     for (auto const& [name, value] : circumstances(shown)) {
         fmt::format_to(std::back_inserter(text), "{}: {}\n", name, value);
     }
-    return text + verdict(shown) + "\n";
+    return text + (shown.published ? bases_text(shown) + "\n" : "") + verdict(shown) + "\n";
 }
 
 nlohmann::ordered_json json_of(Qualification const& shown) {
@@ -95,6 +119,7 @@ nlohmann::ordered_json json_of(Qualification const& shown) {
                           {"agrees", check.agrees()},
                           {"shows", check.shows},
                           {"source", check.source},
+                          {"basis", name_of(check.basis)},
                           {"unit", check.unit},
                           {"found", std::isfinite(check.found) ? Json(check.found) : Json(nullptr)},
                           {"expected", check.expected},
@@ -124,15 +149,23 @@ nlohmann::ordered_json json_of(Qualification const& shown) {
 std::string page_of(Qualification const& shown) {
     output::RecordPage page{.title = "Qualification: " + verdict(shown),
                             .facts = circumstances(shown),
-                            .head = {"result", "number", "what it shows", "source", "found"},
+                            .head = {"result", "number", "statement", "source"},
                             .rows = {}};
+    if (shown.published) {
+        page.facts.insert(page.facts.begin(), {"compared with", bases_text(shown)});
+        page.head.emplace_back("basis");
+    }
+    for (char const* const name : {"expected", "here", "difference", "at most", "reason"}) {
+        page.head.emplace_back(name);
+    }
     for (auto const& check : shown.checks) {
-        page.rows.push_back(
-            {{word(check), check.number, check.shows, check.source, with_remark(found_text(check), check)},
-             check.passed()});
+        page.rows.push_back({cells_of(check, shown.published), check.passed()});
     }
     for (auto const& left : shown.left_out) {
-        page.rows.push_back({{"left out", "", left.result, left.source, left.reason}, true});
+        std::vector<std::string> cells{"left out", "", left.result, left.source};
+        cells.resize(page.head.size() - 1);
+        cells.push_back(left.reason);
+        page.rows.push_back({std::move(cells), true});
     }
     return output::html_of(page);
 }

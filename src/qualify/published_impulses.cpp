@@ -5,9 +5,9 @@
 
 #include <fmt/format.h>
 
+#include "core/boundary.hpp"
 #include "core/units.hpp"
 #include "generators/pulse_shape.hpp"
-#include "qualify/detail/boundary.hpp"
 #include "qualify/detail/published_parts.hpp"
 #include "rocking/planar_rocking.hpp"
 
@@ -83,7 +83,7 @@ Check rocking_bc_pulse() {
     return relative("L-34", "largest rotation over alpha of that block under a one-sine, omega/p 6, 2 alpha g",
                     "OpenSees, RockingBC_example.tcl, problem; independent integration", "1",
                     out.peak_rotation_rad / block.alpha_rad, 0.334273151415, 1e-6,
-                    "integrated again, with Housner's restitution: the example prints no answer; the difference is of "
+                    "solved again, with Housner's restitution: the example prints no answer; the difference is of "
                     "the chords of 8000 samples a period");
 }
 
@@ -167,9 +167,12 @@ Check landing() {
     auto const out = simulate_rocking(block, {.horizontal_mps2 = calm, .time_step_s = 0.01}, {},
                                       {.rotation_rad = block.alpha_rad * (1 + 1e-9)});
     double const expected = block.p_radps * std::sqrt(2 * (1 - std::sin(block.alpha_rad)));
-    return relative("L-27", "angular velocity of a body that lies down from balance, alpha 0.5, p 1.6 rad/s",
-                    "closed form: potential energy", "rad/s", out.landing_spin_radps, expected, 1e-9,
-                    "p sqrt(2 (1 - sin alpha)); the same energy balance gives the tip-over of a licence");
+    auto check = relative(
+        "L-27", "angular velocity of a body that lies down from balance, alpha 0.5, p 1.6 rad/s",
+        "closed form: potential energy", "rad/s", out.landing_spin_radps, expected, 1e-9,
+        "p sqrt(2 (1 - sin alpha)): a fall from rest, and no bound: shaken bodies land up to 1.6 times as fast");
+    check.basis = Basis::law;
+    return check;
 }
 
 }  // namespace

@@ -7,10 +7,11 @@
 
 #include <fmt/format.h>
 
+#include "core/boundary.hpp"
 #include "core/units.hpp"
 #include "generators/pulse_shape.hpp"
-#include "qualify/detail/boundary.hpp"
 #include "qualify/detail/published_parts.hpp"
+#include "rocking/closed_forms.hpp"
 #include "rocking/overturning_search.hpp"
 #include "rocking/rocking_accuracy.hpp"
 
@@ -46,16 +47,6 @@ double end_of(std::vector<FateRange> const& ranges, Fate fate) {
     return found == ranges.end() ? std::nan("") : found->to;
 }
 
-// Amplitude over alpha g from which the linearised block overturns without an impact under so many halves of a sine: it
-// uplifts at the phase x, of sine alpha g over the amplitude, and is left at balance when the pulse ends.
-double without_impact(double omega_over_p, int halves) {
-    double const end = halves * pi;
-    auto const too_late = [&](double x) {
-        return std::cos(x) - std::cos(end) * std::exp((x - end) / omega_over_p) <= omega_over_p * std::sin(x);
-    };
-    return 1 / std::sin(boundary(0, 0.5 * pi, too_late));
-}
-
 constexpr double of_chords = 1e-7;  // (2 pi / 8000)^2 / 8 of a sine, and a little
 constexpr double seven_digits = 1e-6;
 
@@ -74,7 +65,7 @@ Checks of_half_sines() {
         all.push_back(
             relative(number, fmt::format("least half-sine that overturns the linearised block, omega/p {:g}", ratio),
                      "Shi and others (1996), closed form", "alpha g", start_of(found, Fate::without_impact),
-                     without_impact(ratio, 1), of_chords,
+                     sine_without_impact(ratio, 1), of_chords,
                      decided(fmt::format("{}: cos x + exp((x - pi) p/omega) = (omega/p) sin x, 1 / sin x", derived))));
     }
     return all;
@@ -99,7 +90,7 @@ Checks of_one_sine() {
              [](auto const& ranges) { return end_of(ranges, Fate::after_impact); }, 6.318070529827, 6.743019,
              piecewise},
         Edge{"L-06", "L-09", "least one-sine that overturns the {} block without an impact",
-             [](auto const& ranges) { return start_of(ranges, Fate::without_impact); }, without_impact(ratio, 2),
+             [](auto const& ranges) { return start_of(ranges, Fate::without_impact); }, sine_without_impact(ratio, 2),
              7.493000, "cos x - exp((x - 2 pi) p/omega) = (omega/p) sin x, 1 / sin x"}};
     Checks all;
     for (auto const& edge : edges) {
@@ -111,7 +102,7 @@ Checks of_one_sine() {
         all.push_back(relative(
             edge.nonlinear_number, fmt::format(fmt::runtime(edge.what), "nonlinear") + ", alpha 0.25, omega/p 5, e 0.9",
             "Zhang and Makris (2001), problem; independent integration", "alpha g", edge.of(nonlinear), edge.nonlinear,
-            seven_digits, decided("integrated again, as the paper prints figures alone; known to seven digits")));
+            seven_digits, decided("solved again, as the paper prints figures alone; known to seven digits")));
     }
     return all;
 }
@@ -120,7 +111,7 @@ Check of_ricker() {
     return relative("L-31", "least Ricker pulse that overturns the nonlinear block, alpha 0.25, omega/p 3, e 0.9",
                     "Ricker (1953), pulse; independent integration", "alpha g",
                     start_of(ranges_of("ricker", 3, Restoring::nonlinear), Fate::after_impact), 2.765281, seven_digits,
-                    decided("integrated again, no paper at hand prints this number; known to seven digits"));
+                    decided("solved again, no paper at hand prints this number; known to seven digits"));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "core/units.hpp"
 #include "qualify/detail/published_parts.hpp"
 #include "qualify/detail/type_a.hpp"
@@ -39,8 +41,10 @@ Checks rolling() {
                            {.longest_after_s = 0, .rest_gate = false}, rolling_start(block, tilt, precession, spin),
                            &last);
     constexpr char const* source = "Srinivasan and Ruina (2008), rigid cylinder";
-    constexpr char const* remark =
-        "closed form of their equations, without pivoting; the rim here gives way: ten times less of it at 1600 Hz";
+    auto const remark = fmt::format(
+        "{}, from their equations in closed form, without pivoting; the rim here gives way: ten times less of it at "
+        "1600 Hz",
+        solved_again);
     return {relative("L-28", "tilt of a round body after 3 s of steady rolling on its rim", source, "rad",
                      last.tilt_rad, tilt, 1e-3, remark),
             relative("L-30", "angle by which it precessed meanwhile", source, "rad", last.turned_rad,
@@ -75,7 +79,9 @@ Check azimuth() {
             most / least,
             1,
             1e-9,
-            "rounding"};
+            "rounding",
+            "",
+            Basis::law};
 }
 
 }  // namespace

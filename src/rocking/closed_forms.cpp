@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/boundary.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -36,6 +37,14 @@ double free_rocking_amplitude(double phi0, double restitution, int impacts) {
 double rectangular_pulse_limit(double amplitude_ratio) {
     validate(amplitude_ratio > 1, "amplitude ratio {} (at or below 1 the block does not uplift)", amplitude_ratio);
     return std::acosh(1 + 1 / (2 * amplitude_ratio * (amplitude_ratio - 1)));
+}
+
+double sine_without_impact(double omega_over_p, int half_cycles) {
+    double const end = half_cycles * pi;
+    auto const too_late = [&](double x) {
+        return std::cos(x) - std::cos(end) * std::exp((x - end) / omega_over_p) <= omega_over_p * std::sin(x);
+    };
+    return 1 / std::sin(boundary(0, 0.5 * pi, too_late));
 }
 
 }  // namespace overturn

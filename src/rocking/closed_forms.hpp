@@ -26,4 +26,10 @@ struct HarmonicCase {
 /// cosh(p t) = 1 + 1 / [2 ratio (ratio - 1)] (Housner 1963, eq. 10). \throws InputError unless ratio > 1
 [[nodiscard]] double rectangular_pulse_limit(double amplitude_ratio);
 
+/// Amplitude over alpha g from which so many half cycles of a sine overturn the linearised block without an impact: it
+/// uplifts at the phase x, of sine alpha g over the amplitude, and is at balance when the pulse ends:
+/// cos x -/+ exp((x - n pi) p/omega) = (omega/p) sin x (Shi and others 1996 for one half cycle, Zhang and Makris 2001
+/// for two).
+[[nodiscard]] double sine_without_impact(double omega_over_p, int half_cycles);
+
 }  // namespace overturn

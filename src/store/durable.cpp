@@ -253,9 +253,9 @@ void require_writable(std::filesystem::path const& path) {
         int const reason = errno;
         auto const text = fmt::format("output {} (cannot write there: {}). ", path.string(), std::strerror(reason));
         if (reason == ENOENT || reason == ENOTDIR || reason == ENAMETOOLONG) {
-            throw InputError(text + "Choose another place with -o");
+            throw InputError(text + "Choose another place");
         }
-        throw SystemError(text + "Make it writable, or choose another place with -o");
+        throw SystemError(text + "Make it writable, or choose another place");
     }
     if (fd >= 0) {
         ::close(fd);

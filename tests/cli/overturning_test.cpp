@@ -2,6 +2,7 @@
 // body file or a stated block, under pulses and under a record.
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 #include <nlohmann/json.hpp>
 
@@ -48,6 +49,60 @@ TEST_F(Overturning, JsonAndCsvHoldTheNotch) {
         EXPECT_NE(row.find(ranges[rows]["fate"].get<std::string>()), std::string::npos) << row;
     }
     EXPECT_EQ(rows, ranges.size());
+}
+
+// The notch of the linearised block beside the closed form of its upper edge (Zhang and Makris 2001; derived again).
+TEST_F(Overturning, ClosedFormStandsBesideTheLinearisedBlock) {
+    std::vector<std::string> const asked{"--linearised", "--highest", "9", "--step", "0.1", "--json"};
+    for (auto const& [pulse, ratio, edge] : {std::tuple{"one-sine", "5", 7.168128838}, {"half-sine", "4", 2.7907980}}) {
+        auto const shown = json::parse(done(joined(joined(block, {"--pulse", pulse, "--ratios", ratio}), asked)).out);
+        auto const& point = shown["points"][0];
+        EXPECT_NEAR(point["closed_form_over_alpha_g"], edge, 1e-6 * edge);
+        EXPECT_NEAR(point["ranges"].back()["from_over_alpha_g"], edge, 3e-6 * edge);
+    }
+    auto const other = json::parse(done(joined(joined(block, {"--pulse", "ricker", "--ratios", "4"}), asked)).out);
+    EXPECT_FALSE(other["points"][0].contains("closed_form_over_alpha_g"));
+}
+
+// Pulses that begin and end with a jump: a rectangle's closed form (Housner 1963), and a cosine by another integrator
+// (fourth order, steps of 1e-3 and 2e-4).
+TEST_F(Overturning, PulsesJumpWhereTheyDo) {
+    auto const of = [&](std::string const& pulse, std::vector<std::string> const& more) {
+        return json::parse(done(joined(joined(block, {"--pulse", pulse, "--ratios", "4", "--json"}), more)).out);
+    };
+    double const rectangle = of("rectangle", {"--linearised"})["points"][0]["overturning_over_alpha_g"];
+    EXPECT_NEAR(std::cosh(2 * M_PI / 4), 1 + 1 / (2 * rectangle * (rectangle - 1)), 1e-7);
+    auto const cosine = of("one-cosine", {})["points"][0]["ranges"];
+    EXPECT_NEAR(cosine[1]["from_over_alpha_g"], 3.68711, 3e-5);
+    EXPECT_NEAR(cosine[1]["to_over_alpha_g"], 5.89882, 3e-5);
+}
+
+// A file's friction, base and pad are not in the spectrum, which says so; a base's own restitution is.
+TEST_F(Overturning, WhatItLeavesOutOfABodyIsSaid) {
+    std::string const body =
+        "name='b'\nmass='12.6 t'\nbase_width='1.36 m'\ncentre_height='1.045 m'\n"
+        "inertia='uniform-block'\n";
+    folder.write("plain.toml", body + "friction=0.9\n");
+    folder.write("round.toml", body + "friction=0.5\nbase={shape='round'}\n");
+    std::vector<std::string> const asked{"--pulse", "one-sine", "--ratios", "2", "--highest", "3"};
+    auto const of = [&](char const* file) {
+        return json::parse(done(joined(joined({"--body", file}, asked), {"--json"})).out);
+    };
+    auto const plain = of("plain.toml");
+    ASSERT_EQ(plain["left_out"].size(), 1U);
+    EXPECT_EQ(plain["left_out"][0], "b: its friction 0.9");
+    auto const round = of("round.toml");
+    ASSERT_EQ(round["left_out"].size(), 2U);
+    EXPECT_EQ(round["left_out"][0], "b: its friction 0.5, with which it slides before it rocks");
+    folder.write("c.toml",
+                 "seed=1\n[waves]\nsource='pulse'\nshape='one-sine'\nperiods=['1 s']\namplitude='1 m/s2'\n"
+                 "time_step='0.01 s'\n[[bodies]]\nfile='round.toml'\n[levels]\nmeasure='pga'\nvalues=['1 g']\n");
+    auto const plan = overturn(folder, {"plan", "c.toml"}).out;
+    EXPECT_NE(plan.find(fmt::format("rocks with e {:.4f}, its own", round["restitution"].get<double>())),
+              std::string::npos)
+        << plan << round["restitution"];
+    EXPECT_NE(done(joined({"--body", "round.toml"}, asked)).out.find("not in these numbers: b: its friction 0.5"),
+              std::string::npos);
 }
 
 TEST_F(Overturning, ParametersOfThePulseAreReported) {
@@ -132,7 +187,9 @@ TEST_F(Overturning, RefusesWhatHasNoMeaning) {
     refused({"--overturning", "--pulse", "ricker", "--p", "2", "--alpha", "14deg", "--restitution", "0.9"},
             "--alpha '14deg'");
     refused({"--overturning", "--pulse", "ricker", "--p", "2", "--alpha", "90 deg", "--restitution", "0.9"},
-            "between 0 and 90 deg");
+            "read as 90 deg; it must lie between 0 and 90");
+    refused({"--overturning", "--pulse", "ricker", "--p", "2", "--alpha", "14", "--restitution", "0.9"}, "802.1 deg");
+    refused(with({"--pulse", "ricker", "--ratios", "1", "-o", "nowhere/x.csv"}), "Choose another place");
     refused({"--overturning", "--pulse", "ricker", "--p", "2", "--alpha", "0.25", "--restitution", "1.2"}, "0 to 1");
     folder.write("tilted.toml",
                  "name='b'\nmass='12.6 t'\nbase_width='0.4 m'\ncentre_height='1 m'\ninertia='uniform-block'\n"

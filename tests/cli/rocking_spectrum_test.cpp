@@ -154,7 +154,7 @@ TEST_F(RockingSpectrum, RefusesWhatHasNoMeaning) {
     refused(with({"--rocking", "--overturning"}), "State one of them");
     refused(with({"--rocking", "--periods", "1"}), "of response spectra");
     refused(with({"--rocking-periods", "1"}), "State --rocking too");
-    refused(with({"--rocking", "--alpha", "100 deg"}), "between 0 and 90 deg");
+    refused(with({"--rocking", "--alpha", "100 deg"}), "must lie between 0 and 90");
     refused(with({"--rocking", "--alpha", "60 deg"}), "State --restitution");
     refused(with({"--rocking", "--alpha", "20"}), "20");
     refused(with({"--rocking", "--restitution", "1.2"}), "0 to 1");

@@ -59,7 +59,7 @@ TEST(Durable, MissingFolderIsNamed) {
 
     expect_system_error([&] { write(folder / "nowhere" / "file", "x"); }, "nowhere/file", "No such file or directory");
     expect_input_error([&] { require_writable(folder / "nowhere" / "file"); }, "nowhere/file",
-                       "No such file or directory", "-o");
+                       "No such file or directory", "Choose another place");
 }
 
 TEST(Durable, FullDiskLeavesTheOldContent) {

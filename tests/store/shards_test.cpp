@@ -325,7 +325,7 @@ TEST(ShardFolderPlace, PlaceThatIsAFileIsNamed) {
     spill(folder / "taken", "");
     ShardFolder const shards(folder / "taken" / "out.h5", ours);
 
-    expect_system_error([&] { shards.begin(""); }, "taken/out.h5.parts", "Choose another place with -o");
+    expect_system_error([&] { shards.begin(""); }, "taken/out.h5.parts", "Choose another place");
 }
 
 }  // namespace

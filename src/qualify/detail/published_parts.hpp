@@ -5,8 +5,11 @@
 
 namespace overturn::qualify {
 
-/// Of what could not be consulted.
+/// With these a remark begins where the source itself gives no number.
+/// @{
 inline constexpr char const* derived = "derived again, the paper was not at hand";
+inline constexpr char const* solved_again = "solved again";
+/// @}
 
 /// Pulses that overturn a block.
 [[nodiscard]] Checks published_pulses();

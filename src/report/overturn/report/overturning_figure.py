@@ -2,7 +2,7 @@
 stands, and where it overturns with an impact and without."""
 
 from . import style
-from .style import INK, ORANGE, PALE, VERMILION
+from .style import BLUE, GREY, INK, ORANGE, PALE, VERMILION
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -20,6 +20,13 @@ def edges_of(ratios):
     return np.concatenate([ratios[:1], middles]), np.concatenate([middles, ratios[-1:]])
 
 
+def unbroken(ratios, least, points):
+    """The least amplitude with a gap where it jumps to another branch of the boundary."""
+    first = [next((r["fate"] for r in point["ranges"] if r["fate"].startswith("overturns")), None) for point in points]
+    jumps = [n for n in range(1, len(first)) if first[n] != first[n - 1]]
+    return np.insert(ratios, jumps, np.nan), np.insert(least, jumps, np.nan)
+
+
 def draw(data, path):
     style.use()
     points = sorted(data["points"], key=lambda point: point["omega_over_p"])
@@ -35,7 +42,11 @@ def draw(data, path):
     axes.plot(ratios, [point["uplift_mps2"] / data["alpha_g_mps2"] for point in points], color=INK, lw=1, ls="--",
               label="uplift")
     least = np.array([point["overturning_over_alpha_g"] for point in points], dtype=float)
-    axes.plot(ratios, least, color=INK, lw=1.2, label="least that overturns")
+    axes.plot(*unbroken(ratios, least, points), color=INK, lw=1.2, marker=".", ms=3, label="least that overturns")
+    if "closed_form_over_alpha_g" in points[0]:
+        axes.plot(ratios, [point["closed_form_over_alpha_g"] for point in points], "o", ms=4, mfc="none", color=BLUE,
+                  label="without an impact, closed form")
+    axes.plot([], [], "s", ms=7, mfc="white", mec=GREY, label="stands")
     if np.isfinite(least).any():  # so high as its notch is; no higher than the scan went
         seen = [r["from_over_alpha_g"] for point in points for r in point["ranges"]]
         tried = [point["ranges"][-1]["to_over_alpha_g"] for point in points if point["ranges"]]
@@ -48,5 +59,6 @@ def draw(data, path):
     axes.set_title(f"{pulse}: " + rf"$\alpha$ {degrees:.4g}°, $p$ {data['p_radps']:.4g} rad/s, "
                    f"$e$ {data['restitution']:.3g}{', linearised' if data['linearised'] else ''}")
     style.name(figure, data["body"])
+    style.note_below(axes, "not in these numbers: ", data.get("left_out", []))
     style.legend_below(figure, *axes.get_legend_handles_labels(), 2)
     style.save(figure, path)

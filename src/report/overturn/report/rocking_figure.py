@@ -35,5 +35,6 @@ def draw(data, path):
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_title(f"PGA {data['pga_mps2']:.4g} m/s²")
     style.name(figure, data["record"])
+    style.note_below(axes, "not in these numbers: ", data.get("left_out", []))
     style.legend_below(figure, *axes.get_legend_handles_labels(), 2)
     style.save(figure, path)

@@ -70,6 +70,12 @@ def legend_inside(axes):
     axes.legend(loc="best", frameon=True, framealpha=0.85, edgecolor="none")
 
 
+def note_below(axes, head, parts):
+    """A caveat under the axes' name, in the user's own names; nothing where there are no parts."""
+    if parts:
+        axes.set_xlabel("\n".join([axes.get_xlabel(), *textwrap.wrap(literal(head + "; ".join(parts)), 95)]))
+
+
 def legend_below(figure, handles, labels, columns=3):
     """A legend under everything, in room of its own, so that no panel shrinks for it."""
     room = 0.18 * -(-len(labels) // columns) + 0.08

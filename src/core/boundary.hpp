@@ -1,7 +1,7 @@
 /// A boundary between values that do not meet a test and those that do.
 #pragma once
 
-namespace overturn::qualify {
+namespace overturn {
 
 /// The value from which on `beyond` is true, between `low`, where it is not, and `high`, where it is: the upper end of
 /// what so many halvings leave of the bracket. The usual number leaves nothing that a double can tell apart.
@@ -13,4 +13,4 @@ template <class Test> [[nodiscard]] double boundary(double low, double high, Tes
     return high;
 }
 
-}  // namespace overturn::qualify
+}  // namespace overturn
