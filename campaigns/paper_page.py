@@ -151,8 +151,9 @@ class Paper(Page):
             offered, answer = (study.column(key)[trial] / KINE for key in ("v_wes", "v_resp"))
             as_told = bool(ended_as(study, published)[trial])
             level = study.at(body, study.amplitude[trial] / GAL)
-            most = words.bounds(int(np.sum(level & ended_as(study, published))), int(np.sum(level)))[1]
-            why = f"another wave than AW01, under which it {published}" + ("" if as_told else "; none of ours ends so")
+            alike, of = int(np.sum(level & ended_as(study, published))), int(np.sum(level))
+            least, most = words.bounds(alike, of)
+            why = f"another wave than AW01, under which it {published}" + (f"; it was chosen for that: {alike} of {of} end so" if alike else "; none of ours ends so")
             holds = as_told
             if study.is_["overturned"][trial]:
                 why += ". V_resp of what falls is V_Ereq, whatever was offered"
@@ -162,7 +163,7 @@ class Paper(Page):
                 why += f". V_resp comes to {ratio:.2f} times V_WES" + ("" if abs(ratio - 1) <= CLOSE else ", where the paper's figure 12 has 1 : 1")
             self.item(f"Figure 11: V_WES(t) and V_resp(t) of {body} at {study.amplitude[trial] / GAL:.0f} gal",
                       f"wave {study.column('wave')[trial]}: {end}; V_WES at most {offered:.0f}, V_resp {answer:.0f} kine",
-                      REPRODUCED if holds else DIFFERS if as_told or most < RARITY else UNKNOWN, why, [f"{name}.svg"])
+                      REPRODUCED if holds and least >= RARITY else UNKNOWN if holds else DIFFERS if as_told or most < RARITY else UNKNOWN, why, [f"{name}.svg"])
         rows, ends = [["body", "level", "overturned", "of", "published", "ended so", "interval"]], []
         for body, gal, published in PUBLISHED:
             which = study.at(body, gal)

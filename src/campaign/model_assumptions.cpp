@@ -99,7 +99,7 @@ constexpr std::array assumptions{
                     "type B: beta 0.22 is 0.17 of waves with 0.13 of the body, nearly all of it the restitution",
                     "campaigns/margin.toml", of_known_bodies},
     ModelAssumption{"given-motion", "the motion of the pad's top is given; body and pad do not act back on the ground",
-                    Misjudged::unknown, "none", not_measured, "Luk et al. 2005 (NUREG/CR-6865) model pad and soil",
+                    Misjudged::unknown, "none", not_measured, "Luk et al. 2005 (NUREG/CR-6865, not consulted) model pad and soil",
                     always},
     ModelAssumption{"level-pad", "the pad moves without tilting and is plane", Misjudged::unknown, "none", not_measured,
                     "Housner 1963", always},

@@ -205,7 +205,7 @@ void write_body(StudyText& out, StudyAnswers const& a, char const* name, char co
     a.friction ? out.state("friction", as_value(*a.friction))
                : out.assume("friction", assumed_friction,
                             "friction of 0.2 in one body and 0.8 in the other, because none was stated: steel on "
-                            "concrete lies between (NUREG/CR-6865)");
+                            "concrete lies between (NUREG/CR-6865, as quoted elsewhere)");
     a.restitution ? out.state("restitution", as_value(*a.restitution))
                   : out.assume("restitution", "\"housner\"",
                                "the restitution of a rigid block (Housner 1963), because none was stated");

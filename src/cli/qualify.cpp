@@ -79,6 +79,12 @@ qualify::Checks installation_checks(fs::path const& folder, qualify::Checks cons
 }
 
 int qualify_here(QualifyOptions const& options, parallel::Communicator const& comm) {
+    (void)broadcast_from_root(comm, [&] {
+        if (options.page) {
+            store::require_writable(*options.page);
+        }
+        return std::string();
+    });
     std::optional<Bench> bench;
     if (!options.published) {
         bench.emplace(options.folder, comm);
@@ -104,10 +110,10 @@ int qualify_here(QualifyOptions const& options, parallel::Communicator const& co
 }  // namespace
 
 void add_qualify(CommandLine& line) {
-    auto verb = line.verb("qualify", "hold this installation against known answers, alone or under mpirun");
+    auto verb = line.verb("qualify", "compare this installation with known answers, alone or under mpirun");
     auto options = std::make_shared<QualifyOptions>();
     verb.takes("folder", options->folder, "where outputs will lie: its file system is looked at too; default: here");
-    verb.takes("--published", options->published, "hold it against results that others printed instead");
+    verb.takes("--published", options->published, "compare it with results that others published instead");
     verb.takes("--html", options->page, "write a page that needs no network");
     verb.takes("--json", options->json, "for scripts");
     verb.takes("--date", options->date, "that the record shall bear, as you write it; default: none");
