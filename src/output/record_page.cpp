@@ -35,7 +35,7 @@ body {{ font: 15px/1.5 sans-serif; color: var(--ink); background: var(--paper); 
        overflow-wrap: anywhere; }}
 div {{ overflow-x: auto; }} table {{ border-collapse: collapse; }}
 th, td {{ text-align: left; vertical-align: top; padding: .25rem .75rem .25rem 0; border-bottom: 1px solid #8886; }}
-td:nth-child(-n+2), th {{ white-space: nowrap; }}
+td {{ overflow-wrap: break-word; }} td:nth-child(-n+2), th {{ white-space: nowrap; }}
 .pass td:first-child {{ color: var(--pass); }} .fail td {{ color: var(--fail); font-weight: bold; }}
 dt {{ color: var(--quiet); }} dd {{ margin: 0 0 .4rem; }}
 @media print {{ body {{ font-size: 10pt; margin: 0; }} tr {{ break-inside: avoid; }} }}
