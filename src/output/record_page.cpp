@@ -38,7 +38,9 @@ th, td {{ text-align: left; vertical-align: top; padding: .25rem .75rem .25rem 0
 td {{ overflow-wrap: break-word; }} td:nth-child(-n+2), th {{ white-space: nowrap; }}
 .pass td:first-child {{ color: var(--pass); }} .fail td {{ color: var(--fail); font-weight: bold; }}
 dt {{ color: var(--quiet); }} dd {{ margin: 0 0 .4rem; }}
-@media print {{ body {{ font-size: 10pt; margin: 0; }} tr {{ break-inside: avoid; }} }}
+@page {{ size: landscape; }}
+@media print {{ body {{ font-size: 8pt; margin: 0; max-width: none; }} td, th {{ overflow-wrap: anywhere; }} td:nth-child(-n+2), th {{ white-space: normal; }}
+  tr {{ break-inside: avoid; }} }}
 </style></head><body><main>
 <h1>{}</h1>
 <dl>
