@@ -20,7 +20,8 @@ constexpr std::int64_t shares_each = 4;
 constexpr double report_every_s = 1;
 constexpr double soon_s = 0.1;           // blocks computed together: a SIGTERM leaves half a second
 constexpr double commit_every_s = 0.05;  // what a kill may lose beside the blocks in hand
-// A rank that has nothing left waits twice the longest block, within these bounds, before it takes blocks over.
+// A rank that has nothing left waits as long as its longest block took, within these bounds, before it takes a block
+// over; before the next one it does not wait. tests/scale/ranks.py simulates it.
 constexpr double least_patience_s = 1;
 constexpr double patience_untried_s = 30;  // of a rank that computed no block
 constexpr double taken_over_look_s = 0.5;  // how often a rank looks whether its blocks were taken over
@@ -165,7 +166,7 @@ class Worker {
     // are the same; the rank that holds it counts it, and breaks it off when it finds it there.
     void take_over() {
         double const longest_s = stop_policy_.longest_block_s();
-        double const patience_s = longest_s > 0 ? std::max(least_patience_s, 2 * longest_s) : patience_untried_s;
+        double const patience_s = longest_s > 0 ? std::max(least_patience_s, longest_s) : patience_untried_s;
         if (stopped_ || left_.empty() || seconds_since(looked_) < patience_s || !stop_policy_.may_begin()) {
             return;
         }
@@ -188,6 +189,7 @@ class Worker {
             commit();
             fresh_ = 0;  // whoever holds it counts it
         }
+        looked_ = {};
     }
 
     // Ends all ranks where one does not come though nothing is left to be computed, or time is up.

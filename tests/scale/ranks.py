@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""How busy many ranks are under overturn's own rule for handing out blocks: a simulation, no measurement.
+
+tests/scale/ranks.py [--ranks 8 100 1000] [--block 5] [--blocks-each 40] [--scatter 0.3] [--slow 20] [--check]
+
+Blocks take --block seconds on average, with a lognormal --scatter; --blocks-each of them for each rank. One rank is --slow
+times slower than the others. The numbers of the rule are read from src/runner/detail/worker.cpp: the share that a rank
+takes, how long a rank without blocks waits before it takes one over from a slow rank, how often a rank looks whether its
+block was taken over. Rank 0 hands out and computes nothing from so many ranks on as stands there.
+
+Printed: wall time and the share of it that the ranks work, where all are alike, and with the slow rank, without taking over
+and with it. --check: ends with 1 where the slow rank costs more than a tenth of the wall time, or 1000 ranks that are alike
+work less than nine tenths of it."""
+
+import argparse
+import heapq
+import pathlib
+import random
+import re
+
+WORKER = pathlib.Path(__file__).resolve().parents[2] / "src" / "runner" / "detail" / "worker.cpp"
+
+
+def constants():
+    text = WORKER.read_text()
+    names = ("ranks_worth_serving", "shares_each", "least_patience_s", "patience_untried_s", "taken_over_look_s", "step")
+    found = {name: re.search(rf"\b{name} = ([\d.']+)", text) for name in names}
+    missing = [name for name in names if found[name] is None]
+    if missing:
+        raise SystemExit(f"ranks: {', '.join(missing)} (not in {WORKER.name}: the rule has changed). Change it here too")
+    return {name: float(number[1].replace("'", "")) for name, number in found.items()}
+
+
+class Run:
+    """Ranks, blocks and the moments at which something happens."""
+
+    def __init__(self, rule, ranks, costs, speeds, takes_over):
+        self.rule, self.ranks, self.costs, self.speeds, self.takes_over = rule, ranks, costs, speeds, takes_over
+        self.given, self.there, self.finished = 0, set(), {}
+        self.next, self.end = [0] * ranks, [0] * ranks
+        self.longest, self.looks = [0.0] * ranks, [0] * ranks
+        self.events, self.ends = [], 0.0
+        first = 1 if ranks > rule["ranks_worth_serving"] else 0
+        for rank in range(first, ranks):
+            heapq.heappush(self.events, (0.0, rank, "free", -1))
+
+    def at(self, now, rank, what, block=-1):
+        heapq.heappush(self.events, (now, rank, what, block))
+
+    def begin(self, now, rank):
+        """The next block of the rank's share; where none is left it waits."""
+        if self.next[rank] == self.end[rank]:
+            share = max(1, int((len(self.costs) - self.end[rank]) / (self.rule["shares_each"] * self.ranks)))
+            self.next[rank], self.given = self.given, self.given + share
+            self.end[rank] = self.next[rank] + share
+        block = self.next[rank]
+        if block >= len(self.costs):
+            if self.takes_over:
+                self.wait(now, rank)
+            return
+        self.next[rank] += 1
+        self.compute(now, rank, block, "own")
+
+    def compute(self, now, rank, block, what):
+        took = self.costs[block] * self.speeds[rank]
+        self.at(now + took, rank, what, block)
+        if what == "own" and self.takes_over:
+            self.at(now + self.rule["taken_over_look_s"], rank, "look", block)
+
+    def wait(self, now, rank):
+        longest = self.longest[rank]
+        patience = max(self.rule["least_patience_s"], longest) if longest > 0 else self.rule["patience_untried_s"]
+        self.at(now + patience, rank, "idle")
+
+    def idle(self, now, rank):
+        self.looks[rank] += 1
+        missing = [block for block in range(len(self.costs)) if block not in self.there]
+        chosen = (rank + self.looks[rank] * int(self.rule["step"])) % self.ranks < 2 * len(missing)
+        if missing and chosen:
+            self.compute(now, rank, missing[rank % len(missing)], "other's")
+        elif len(self.there) < len(self.costs):
+            self.wait(now, rank)
+
+    def wall(self):
+        broken_off = set()
+        while self.events and len(self.there) < len(self.costs):
+            now, rank, what, block = heapq.heappop(self.events)
+            if what == "free":
+                self.begin(now, rank)
+            elif what == "idle":
+                self.idle(now, rank)
+            elif what == "look":
+                if self.given >= len(self.costs) and block in self.there:
+                    broken_off.add((rank, block))
+                    self.begin(now, rank)
+                elif block not in self.finished.get(rank, set()):
+                    self.at(now + self.rule["taken_over_look_s"], rank, "look", block)
+            elif (rank, block) not in broken_off:
+                self.there.add(block)
+                self.longest[rank] = max(self.longest[rank], self.costs[block] * self.speeds[rank])
+                self.finished.setdefault(rank, set()).add(block)
+                self.ends = now
+                self.idle(now, rank) if what == "other's" else self.begin(now, rank)
+        return self.ends
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--ranks", type=int, nargs="+", default=[8, 100, 1000])
+    parser.add_argument("--block", type=float, default=5)
+    parser.add_argument("--blocks-each", type=int, default=40)
+    parser.add_argument("--scatter", type=float, default=0.3)
+    parser.add_argument("--slow", type=float, default=20)
+    parser.add_argument("--check", action="store_true")
+    options = parser.parse_args()
+    rule, failed = constants(), False
+    print(f"{'ranks':>6} {'blocks':>7}  {'alike':>16}  {'one slow':>16}  {'one slow, taken over':>20}   wall time [s], share that works")
+    for ranks in options.ranks:
+        draw = random.Random(2013)
+        costs = [options.block * draw.lognormvariate(-0.5 * options.scatter**2, options.scatter) for _ in range(ranks * options.blocks_each)]
+        alike, slow = [1.0] * ranks, [1.0] * (ranks - 1) + [options.slow]
+        cells, walls = [], []
+        for speeds, takes_over in ((alike, True), (slow, False), (slow, True)):
+            walls.append(Run(rule, ranks, costs, speeds, takes_over).wall())
+            able = sum(1 / speed for speed in speeds)  # rank 0 counts, whether it computes or not
+            cells.append(f"{walls[-1]:8.1f} {100 * sum(costs) / (walls[-1] * able):6.1f} %")
+        print(f"{ranks:>6} {len(costs):>7}  {cells[0]:>16}  {cells[1]:>16}  {cells[2]:>20}")
+        failed = failed or walls[2] > 1.1 * walls[0] * ranks / (ranks - 1 + 1 / options.slow)
+        failed = failed or (ranks >= 1000 and sum(costs) < 0.9 * walls[0] * ranks)
+    return 1 if options.check and failed else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())
