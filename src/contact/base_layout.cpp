@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "contact/detail/contact_step.hpp"
+#include "contact/rim_law.hpp"
 #include "core/error.hpp"
 
 namespace overturn {
@@ -73,21 +74,25 @@ std::vector<ContactPoint> layout(BasePlan const& base, double half_width_m) {
 double ContactBlock::vertical_radps() const { return 2 * pi * pad.vertical_frequency_hz; }
 double ContactBlock::settlement_m() const { return gravity_mps2 / (vertical_radps() * vertical_radps()); }
 double ContactBlock::approach_floor_mps() const { return gravity_mps2 / vertical_radps(); }
+double ContactBlock::damping() const {
+    return of_rim ? rim_damping(pad.normal_restitution) : normal_damping(pad.normal_restitution);
+}
 
 double flat_share(int points) { return 1.0 / (points - 1); }
 
 ContactBlock contact_block(RigidBody const& body, BasePlan const& base, Pad const& pad,
                            std::optional<Friction> const& friction) {
     validate_pad(pad);
-    static_cast<void>(normal_damping(pad.normal_restitution));
     ContactBlock block{.half_width_m = body.half_width_m(),
                        .centre_height_m = body.centre_height_m(),
                        .inertia_over_mass_m2 = body.inertia_kgm2() / body.mass_kg(),
                        .gravity_mps2 = body.gravity_mps2(),
                        .friction = friction ? friction->kinetic_coefficient : firm_grip,
                        .yield_depth_m = std::numeric_limits<double>::infinity(),
+                       .of_rim = base.shape == BaseShape::round,
                        .pad = pad,
                        .points = layout(base, body.half_width_m())};
+    static_cast<void>(block.damping());
     double bed = 0;  // against turning, over the stiffness
     for (auto const& point : block.points) {
         bed += point.stiffness_share * point.offset_m * point.offset_m;

@@ -23,12 +23,15 @@ struct ContactBlock {
     double gravity_mps2 = g0;
     double friction = 0;       ///< mu, of every point, at rest and in motion
     double yield_depth_m = 0;  ///< depth at which the pad yields; infinite: never
+    /// Points damp as elements of a continuous rim do, of which they are samples: those of round and polygonal bases.
+    bool of_rim = false;
     Pad pad;
     std::vector<ContactPoint> points;  ///< from one corner to the other
 
     [[nodiscard]] double vertical_radps() const;      ///< w_v = 2 pi f_v
     [[nodiscard]] double settlement_m() const;        ///< g / w_v^2
     [[nodiscard]] double approach_floor_mps() const;  ///< v_min = g / w_v: speeds below it count as this
+    [[nodiscard]] double damping() const;             ///< y of the law of its points
 };
 
 /// Friction that nothing overcomes: a point that would need more slips.

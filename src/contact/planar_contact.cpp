@@ -1,7 +1,9 @@
 #include "contact/planar_contact.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include "contact/detail/contact_run.hpp"
@@ -10,6 +12,25 @@
 #include "simd/run_batch.hpp"
 
 namespace overturn {
+namespace {
+
+// Of the lowest point of a leaning rim of points, so deep that all that touch bear the weight: neighbours lie little
+// higher.
+double leaning_depth(ContactBlock const& block, double slope) {
+    double low = 0;
+    double high = block.settlement_m() / block.points.front().stiffness_share;
+    for (int i = 0; i < 60; ++i) {
+        double const middle = (low + high) / 2;
+        double borne = 0;
+        for (auto const& point : block.points) {
+            borne += point.stiffness_share * std::max(0.0, middle - slope * (block.half_width_m - point.offset_m));
+        }
+        (borne < block.settlement_m() ? low : high) = middle;
+    }
+    return low;
+}
+
+}  // namespace
 
 template <> Fields const& fields_of<ContactQuantities>() {
     using Q = ContactQuantities;
@@ -53,15 +74,14 @@ ContactOutcome simulate_contact(ContactBlock const& block, Excitation const& sha
 void simulate_contact(std::span<ContactTrial const> trials, ContactAccuracy const& accuracy,
                       std::span<ContactOutcome> outcomes) {
     OVERTURN_EXPECT(trials.size() == outcomes.size());
-    std::array<std::vector<std::size_t>, contact::most_points + 1> by_points;
+    std::map<std::pair<std::size_t, bool>, std::vector<std::size_t>> by_kind;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-        by_points.at(trials[i].block->points.size()).push_back(i);
+        auto const& block = *trials[i].block;
+        by_kind[{block.points.size(), block.of_rim}].push_back(i);
     }
-    for (auto const& queue : by_points) {
-        if (!queue.empty()) {
-            simd::RunBatch<contact::ContactRun> batch(trials, queue, accuracy, outcomes);
-            simd::LaneScheduler(batch).run();
-        }
+    for (auto const& [kind, queue] : by_kind) {
+        simd::RunBatch<contact::ContactRun> batch(trials, queue, accuracy, outcomes);
+        simd::LaneScheduler(batch).run();
     }
 }
 
@@ -70,7 +90,8 @@ ContactStart leaning_start(ContactBlock const& block, double rotation_rad) {
     double const h = block.centre_height_m;
     double const s = std::sin(rotation_rad);
     double const c = std::cos(rotation_rad);
-    double const depth = block.settlement_m() / block.points.front().stiffness_share;
+    double const depth =
+        block.of_rim ? leaning_depth(block, std::abs(s)) : block.settlement_m() / block.points.front().stiffness_share;
     return {.sway_m = b * (1 - c) + h * s,
             .rise_m = b * s - h * (1 - c) - depth + block.settlement_m(),
             .rotation_rad = rotation_rad};

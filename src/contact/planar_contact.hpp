@@ -85,7 +85,7 @@ struct ContactTrial {
 void simulate_contact(std::span<ContactTrial const> trials, ContactAccuracy const& accuracy,
                       std::span<ContactOutcome> outcomes);
 
-/// Leaning on its corner at this angle, at rest, the corner as deep as its weight presses it, not yet dragged aside.
+/// Leaning on its corner, or its rim, at this angle, at rest, as deep as its weight presses it, not yet dragged aside.
 /// \pre |rotation_rad| < alpha
 [[nodiscard]] ContactStart leaning_start(ContactBlock const& block, double rotation_rad);
 

@@ -20,6 +20,16 @@ template <class V> OVERTURN_LANES_INLINE V normal_depth(V depth, V approach, V y
     return max(fma(damping, approach, elastic), V(0));
 }
 
+/// The same of an element of a rim, homogeneous of degree one in depth and approach: it remembers no speed. Where it is
+/// loaded slowly, as under a rim that rolls, it is a spring with a damper y k / w_v.
+/// \param damping y \param stiffness w_v^2
+template <class V> OVERTURN_LANES_INLINE V element_depth(V depth, V approach, V yield, V damping, V stiffness) {
+    constexpr double least = 1e-300;
+    V const elastic = min(max(depth, V(0)), yield);
+    V const square = fma(stiffness * elastic, elastic, approach * approach);
+    return max(fma(damping * elastic, approach / sqrt(max(square, V(least))), elastic), V(0));
+}
+
 /// The gain of a point that is away from the ground: it goes by the speed at which the point comes down.
 /// \param damping y
 template <class V> OVERTURN_LANES_INLINE V gain_of_approach(V approach, V damping, V least_approach) {

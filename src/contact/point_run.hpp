@@ -197,9 +197,10 @@ double PointRun<Derived, Field, Spot, Lane>::grip_share(double least_inertia_m2)
 
 template <class Derived, class Field, class Spot, class Lane> void PointRun<Derived, Field, Spot, Lane>::fill_law() {
     double const w = planar_.vertical_radps();
-    double const y = normal_damping(planar_.pad.normal_restitution);
+    double const y = planar_.damping();
     auto const& pad = planar_.pad;
     put(Field::gravity, planar_.gravity_mps2);
+    put(Field::stiffness, w * w);
     put(Field::height, planar_.centre_height_m);
     put(Field::friction, planar_.friction);
     put(Field::hold, planar_.friction / pad.tangential_ratio);

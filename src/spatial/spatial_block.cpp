@@ -68,6 +68,8 @@ double rotation_stiffness(SpatialBlock const& block) {
 SpatialBlock spatial_block(RigidBody const& body, Footing const& footing, std::optional<Friction> const& friction) {
     SpatialBlock block;
     block.planar = contact_block(body, across(footing.base), footing.pad, friction);
+    block.planar.of_rim = footing.base.shape != BaseShape::square;
+    static_cast<void>(block.planar.damping());
     auto outline = outline_of(footing.base, block.planar);
     double const w = block.planar.vertical_radps();
     block.planar.yield_depth_m = footing.pad.strength_pa

@@ -37,6 +37,8 @@ class Mixture {
             add_block(body, {}, {.vertical_frequency_hz = 67, .normal_restitution = 0.1}, 0.8);
             add_block(body, testing::bed(0.3), {.strength_pa = 3e6}, 0.8);
             add_block(body, flat_bed(5), {.strength_pa = 1e6}, 0.8);
+            add_block(body, flat_bed(9), {}, 0.8);
+            add_block(body, {.shape = BaseShape::round, .points = 16}, {}, 0.8);  // 9 points too, of another law
         }
         for (auto const& block : blocks_) {
             for (double const level : {2.0, 5.0, 8.0, 12.0, -9.0}) {

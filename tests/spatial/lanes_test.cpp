@@ -38,8 +38,11 @@ class Mixture {
         crushed.pad.strength_pa = 3e6;
         auto const triangle = testing::polygon_base({{0.6, 0}, {-0.4, 0.6}, {-0.4, -0.6}});
         auto const four = testing::polygon_base({{0.7, 0.6}, {-0.7, 0.5}, {-0.6, -0.6}, {0.7, -0.5}});
+        // Opposite points as a square's, of another law.
+        auto const rectangle = testing::polygon_base({{0.6, 0.5}, {-0.6, 0.5}, {-0.6, -0.5}, {0.6, -0.5}});
         for (auto const& body : {body_a(), body_b()}) {
-            for (auto const& footing : {square_base(), round_base(), round_base(17), weak, crushed, triangle, four}) {
+            for (auto const& footing :
+                 {square_base(), round_base(), round_base(17), weak, crushed, triangle, four, rectangle}) {
                 for (double const friction : {0.3, 0.8}) {
                     blocks_.push_back(testing::standing(body, footing, friction));
                 }

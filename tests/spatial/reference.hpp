@@ -86,8 +86,13 @@ class PlainBody {
         Touch now{at.place + arm, velocity, 0, 0};
         now.depth = -now.place.z() - point.crush;
         if (now.depth > 0) {
-            double const y = normal_damping(block_.planar.pad.normal_restitution);
             double const elastic = std::min(now.depth, block_.planar.yield_depth_m);
+            if (block_.planar.of_rim) {
+                double const root = std::hypot(velocity.z(), block_.planar.vertical_radps() * elastic);
+                now.normal = elastic * std::max(0.0, 1 - rim_damping_ * velocity.z() / root);
+                return now;
+            }
+            double const y = normal_damping(block_.planar.pad.normal_restitution);
             double const damping = std::min(y * elastic / point.approach, y / block_.planar.vertical_radps());
             now.normal = std::max(0.0, elastic - damping * velocity.z());
         }
@@ -102,7 +107,7 @@ class PlainBody {
     [[nodiscard]] Rim rim(State const& at) const {
         double const r = block_.edge_m;
         double const w = block_.planar.vertical_radps();
-        double const y = rim_damping(block_.planar.pad.normal_restitution);
+        double const y = rim_damping_;
         Eigen::Matrix3d const turn = matrix(at);
         Eigen::Vector3d const axis = turn.col(2);
         Eigen::Vector3d const omega = turn * spin(at);
@@ -224,6 +229,7 @@ class PlainBody {
     }
 
     SpatialBlock const& block_;
+    double rim_damping_ = rim_damping(block_.planar.pad.normal_restitution);
     int midpoints_;
     std::vector<Point> points_;
 };

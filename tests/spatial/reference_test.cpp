@@ -67,13 +67,16 @@ std::tuple<double, double, double> differences(SpatialBlock const& block) {
 TEST(SpatialReference, IsMetOnEveryBase) {
     auto weak = square_base(0.3, 5);
     weak.pad.strength_pa = 1e6;
+    auto weak_rim = round_base(32);
+    weak_rim.pad.strength_pa = 1e6;
     auto unequal = square_base();
     unequal.inertia_across_kgm2 = 0.7 * body_a().inertia_kgm2();
     auto const triangle = testing::polygon_base({{0.6, 0}, {-0.4, 0.6}, {-0.4, -0.6}});
     auto const four = testing::polygon_base({{0.7, 0.6}, {-0.7, 0.5}, {-0.6, -0.6}, {0.7, -0.5}});
     for (auto const& body : {body_a(), body_b()}) {
         int number = 0;
-        for (auto const& footing : {square_base(), weak, unequal, triangle, four, round_base(32), round_base(17)}) {
+        for (auto const& footing :
+             {square_base(), weak, unequal, triangle, four, round_base(32), round_base(17), weak_rim}) {
             for (double const friction : {0.3, 0.8}) {
                 auto const [place, turn, tilt] = differences(standing(body, footing, friction));
                 EXPECT_LT(place, 1e-9) << number << " " << friction;

@@ -198,7 +198,7 @@ void settle_footing(Table const& table, BodySpec& spec) {
     footing = scaled(spec.stated_footing, spec.scaling);
     auto const& base = footing.base;
     bool const states_restitution = spec.stated.restitution.has_value();
-    bool const of_its_own = base.continuous() || footing.rim_as_points || base.is_bed();
+    bool const of_its_own = base.shape == BaseShape::round || base.is_bed();
     if (of_its_own && !states_restitution) {
         footing.pad.match_restitution = false;  // a bed or a rim has a restitution of its own
     }

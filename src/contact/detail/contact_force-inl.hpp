@@ -35,7 +35,8 @@ template <class V, int Stride, int Points> class ContactForce {
         : body_(lanes.body.values.data()),
           bed_(lanes.bed.data()),
           samples_(lanes.body.samples.data()),
-          points_(Points > 0 ? Points : lanes.points) {}
+          points_(Points > 0 ? Points : lanes.points),
+          of_rim_(Points == 0 && lanes.of_rim) {}
 
   protected:
     [[nodiscard]] OVERTURN_LANES_INLINE V get(ContactField field) const { return V::load(body_ + row(field)); }
@@ -68,6 +69,7 @@ template <class V, int Stride, int Points> class ContactForce {
     double* bed_;
     double const* const* samples_;
     int points_;
+    bool of_rim_;  // two corners never are
 };
 
 // The approach speed until it touches; the crush that it leaves.
@@ -125,7 +127,9 @@ OVERTURN_LANES_INLINE auto ContactForce<V, Stride, Points>::pulled(Motion const&
             remember_touch(point, depth, approach);
             least_depth = min(depth, least_depth);
         }
-        V const normal = normal_depth(depth, approach, yield, spot(point, Spot::gain), cap);
+        V const normal =
+            of_rim_ ? element_depth(depth, approach, yield, get(ContactField::damping), get(ContactField::stiffness))
+                    : normal_depth(depth, approach, yield, spot(point, Spot::gain), cap);
         V const here = fma(at.cosine, offset, base);
         V shift = here - spot(point, Spot::anchor);
         if constexpr (Remember) {

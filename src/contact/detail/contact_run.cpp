@@ -11,6 +11,7 @@ ContactRun::ContactRun(ContactBlock const& block, Excitation const& shaking, Con
     : Base(block, shaking) {
     OVERTURN_EXPECT(planar_.points.size() >= 2 && planar_.points.size() <= most_points);
     lane_.points = static_cast<int>(planar_.points.size());
+    lane_.of_rim = planar_.of_rim;
     fill_trial(accuracy);
     fill_points();
     place(start.value_or(ContactStart{}));

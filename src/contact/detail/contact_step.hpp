@@ -58,6 +58,7 @@ enum class ContactField : int {
     gravity,
     height,              ///< h
     half_width,          ///< b
+    stiffness,           ///< w_v^2: k / m of all the base
     mass_over_inertia,   ///< m / I_G
     friction,            ///< mu
     hold,                ///< mu k / k_t: largest elastic shift of a point, over its normal force / stiffness
@@ -94,7 +95,14 @@ enum class ContactWave : int { horizontal, vertical, count };
 /// Points of a base at most.
 inline constexpr int most_points = 41;
 
-template <int Lanes> using ContactLanes = simd::PointLanes<ContactField, ContactWave, Spot, most_points, Lanes>;
+template <int Lanes> struct ContactLanes : simd::PointLanes<ContactField, ContactWave, Spot, most_points, Lanes> {
+    bool of_rim = false;  ///< ContactBlock::of_rim of all lanes
+
+    template <int From> void take_lane(ContactLanes<From> const& from, int from_lane, int to_lane) {
+        simd::PointLanes<ContactField, ContactWave, Spot, most_points, Lanes>::take_lane(from, from_lane, to_lane);
+        of_rim = from.of_rim;
+    }
+};
 
 /// Steps the first `used` lanes, all or half of lane_width(), until at least one needs care: its wave has ended, it
 /// may rest, or |theta| has reached pi/2. \return one bit per such lane

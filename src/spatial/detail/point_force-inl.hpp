@@ -30,7 +30,7 @@ template <class V, int Stride> class PointForce : protected SpatialBody<V, Strid
     using typename Body::Shaking;
 
     explicit PointForce(SpatialLanes<Stride>& lanes)
-        : Body(lanes), bed_(lanes.bed.data()), points_(lanes.points), opposite_(lanes.opposite) {
+        : Body(lanes), bed_(lanes.bed.data()), points_(lanes.points), opposite_(lanes.opposite), of_rim_(lanes.of_rim) {
         remembered_.set();  // complete() ended the steps before: every point is up to date
     }
 
@@ -81,7 +81,7 @@ template <class V, int Stride> class PointForce : protected SpatialBody<V, Strid
 
     double* bed_;
     int points_;
-    bool opposite_;
+    bool opposite_, of_rim_;
     Base start_;
     std::bitset<most_spatial_points> remembered_;  // in this step
 };
@@ -97,6 +97,10 @@ OVERTURN_LANES_INLINE auto PointForce<V, Stride>::spring(Line const& way, Line c
 
 template <class V, int Stride>
 OVERTURN_LANES_INLINE V PointForce<V, Stride>::normal_of(double const* point, V depth, V approach) const {
+    if (of_rim_) {
+        return contact::HWY_NAMESPACE::element_depth(depth, approach, spot(point, Spot::yield), get(State::damping),
+                                                     get(State::stiffness));
+    }
     return contact::HWY_NAMESPACE::normal_depth(depth, approach, spot(point, Spot::yield), spot(point, Spot::gain),
                                                 get(State::most_damping));
 }

@@ -3,14 +3,14 @@
 #include <limits>
 
 #include "contact/rest_gate.hpp"
-#include "contact/rim_law.hpp"
 #include "spatial/detail/spatial_run.hpp"
 
 namespace overturn::spatial {
 
 BaseKind kind_of(SpatialBlock const& block) {
     auto const& points = block.points;
-    BaseKind kind{.points = static_cast<int>(points.size()), .disc = block.inner_m.has_value()};
+    BaseKind kind{
+        .points = static_cast<int>(points.size()), .disc = block.inner_m.has_value(), .of_rim = block.planar.of_rim};
     for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
         auto const& one = points[i];
         auto const& other = points[i + 1];
@@ -30,9 +30,6 @@ void SpatialRun::fill_trial(ContactAccuracy const& accuracy) {
     fill_steps(accuracy, smooth * std::min(1.0, uniform_solid / block_.rotation_stiffness),
                std::min(inertias[0], inertias[1]));
     fill_law();
-    if (block_.rim) {
-        put(State::damping, rim_damping(planar_.pad.normal_restitution));
-    }
     fill_waves();
     double const h = planar_.centre_height_m;
     double const radius = std::hypot(planar_.half_width_m, h);
@@ -95,7 +92,6 @@ void SpatialRun::fill_waves() {
 
 void SpatialRun::fill_points() {
     double const w = planar_.vertical_radps();
-    put(State::stiffness, w * w);
     put(State::ring, w * w / pi);
     if (block_.inner_m) {
         double const hole = *block_.inner_m / block_.edge_m;

@@ -16,6 +16,7 @@ SpatialRun::SpatialRun(SpatialBlock const& block, Excitation const& shaking, Con
     lane_.points = kind.points;
     lane_.opposite = kind.opposite;
     lane_.disc = kind.disc;
+    lane_.of_rim = kind.of_rim;
     fill_trial(accuracy);
     fill_points();
     place(start.value_or(SpatialStart{}));

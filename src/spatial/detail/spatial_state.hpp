@@ -128,9 +128,11 @@ struct BaseKind {
     int points = 0;        ///< none: a continuous base
     bool opposite = true;  ///< whether the points of every pair are opposite ones
     bool disc = false;     ///< whether a continuous base bears within its rim
+    bool of_rim = false;   ///< whether points damp as elements of a rim
 
     [[nodiscard]] bool operator<(BaseKind const& other) const {
-        return std::tie(points, opposite, disc) < std::tie(other.points, other.opposite, other.disc);
+        return std::tie(points, opposite, disc, of_rim)
+               < std::tie(other.points, other.opposite, other.disc, other.of_rim);
     }
 };
 [[nodiscard]] BaseKind kind_of(SpatialBlock const& block);
@@ -138,11 +140,13 @@ struct BaseKind {
 template <int Lanes> struct SpatialLanes : simd::PointLanes<State, Wave, Spot, most_spatial_points, Lanes> {
     bool opposite = true;  ///< BaseKind::opposite of all lanes
     bool disc = false;     ///< BaseKind::disc of all lanes
+    bool of_rim = false;   ///< BaseKind::of_rim of all lanes
 
     template <int From> void take_lane(SpatialLanes<From> const& from, int from_lane, int to_lane) {
         simd::PointLanes<State, Wave, Spot, most_spatial_points, Lanes>::take_lane(from, from_lane, to_lane);
         opposite = from.opposite;
         disc = from.disc;
+        of_rim = from.of_rim;
     }
 };
 
