@@ -12,10 +12,13 @@
 HWY_BEFORE_NAMESPACE();
 namespace overturn::contact::HWY_NAMESPACE {
 
+/// Depth of the spring, which yields from `yield` on. [length]
+template <class V> OVERTURN_LANES_INLINE V elastic_depth(V depth, V yield) { return min(max(depth, V(0)), yield); }
+
 /// Force over stiffness: elastic up to the yield depth, damped in proportion to it up to a cap, never a pull (after
 /// Hunt & Crossley 1975). \param gain y / v, v the approach speed at touch \param cap of damping, y / w_v
 template <class V> OVERTURN_LANES_INLINE V normal_depth(V depth, V approach, V yield, V gain, V cap) {
-    V const elastic = min(max(depth, V(0)), yield);
+    V const elastic = elastic_depth(depth, yield);
     V const damping = min(gain * elastic, cap);
     return max(fma(damping, approach, elastic), V(0));
 }
@@ -25,7 +28,7 @@ template <class V> OVERTURN_LANES_INLINE V normal_depth(V depth, V approach, V y
 /// \param damping y \param stiffness w_v^2
 template <class V> OVERTURN_LANES_INLINE V element_depth(V depth, V approach, V yield, V damping, V stiffness) {
     constexpr double least = 1e-300;
-    V const elastic = min(max(depth, V(0)), yield);
+    V const elastic = elastic_depth(depth, yield);
     V const square = fma(stiffness * elastic, elastic, approach * approach);
     return max(fma(damping * elastic, approach / sqrt(max(square, V(least))), elastic), V(0));
 }
