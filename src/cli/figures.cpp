@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "campaign/rocking_band.hpp"
+#include "campaign/typed_units.hpp"
 #include "spectra/target_input.hpp"
 
 namespace overturn::cli {
@@ -55,14 +56,16 @@ report::WaveFigure campaign_wave_figure(CampaignInput const& input, CampaignSpec
 }
 
 void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, GeneratedWave const& made,
-                        VelocityUnit const& unit, std::string const& output) {
+                        output::ShownVelocity const& unit, std::string const& output) {
     auto figure = campaign_wave_figure(input, spec, made);
+    auto const accelerations = typed_units(spec).acceleration;
+    figure.accelerations = {accelerations.symbol, accelerations.si};
     figure.velocities = {unit.symbol, unit.si()};
     report::draw_wave(figure, output);
 }
 
 void draw_record(std::string const& name, PlacedRecord const& record, double damping,
-                 std::optional<BodySpec> const& body, VelocityUnit const& unit, std::string const& output) {
+                 std::optional<BodySpec> const& body, output::ShownVelocity const& unit, std::string const& output) {
     report::WaveFigure figure;
     figure.title = std::filesystem::path(name).filename().string();
     figure.subtitle = record.says;

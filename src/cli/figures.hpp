@@ -21,10 +21,10 @@ namespace overturn::cli {
 
 /// Draws it. \throws as report::draw_wave
 void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, GeneratedWave const& made,
-                        VelocityUnit const& unit, std::string const& output);
+                        output::ShownVelocity const& unit, std::string const& output);
 
 /// Draws a record, with one body if given.
 void draw_record(std::string const& name, PlacedRecord const& record, double damping,
-                 std::optional<BodySpec> const& body, VelocityUnit const& unit, std::string const& output);
+                 std::optional<BodySpec> const& body, output::ShownVelocity const& unit, std::string const& output);
 
 }  // namespace overturn::cli

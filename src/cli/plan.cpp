@@ -173,7 +173,8 @@ void print_scene(CampaignSpec const& spec, Plan const& plan, PlanOptions const& 
     print_entry("waves", spec.source->text());
     print_entry("differ by", spec.source->about().variability);
     print_records(spec, options.full);
-    fmt::print("{}", bodies_text(spec, options.unit, options.full ? spec.bodies.size() : most_bodies));
+    fmt::print("{}",
+               bodies_text(spec, options.unit.of_campaign(spec), options.full ? spec.bodies.size() : most_bodies));
     print_levels(spec.levels);
     print_limits(spec);
     print_entry("validated", validated_range_text(spec, options.full ? spec.bodies.size() : most_outside));
@@ -202,7 +203,7 @@ ProbedCost print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
 
 int plan_campaign(PlanOptions const& options) {
     auto const& path = options.campaign;
-    (void)options.unit.si();
+    options.unit.check();
     validate(!options.ranks || (*options.ranks > 0 && *options.ranks <= most_asked_ranks),
              "--ranks {} (must be 1 to {}). Say on how many ranks it shall run", options.ranks.value_or(0),
              most_asked_ranks);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/typed_units.hpp"
 #include "contact/matching.hpp"
 #include "core/texts_of.hpp"
 #include "core/wrapped.hpp"
@@ -13,11 +14,11 @@
 namespace overturn::cli {
 namespace {
 
-std::string base_text(BasePlan const& base) {
+std::string base_text(BasePlan const& base, IntensityUnit const& length) {
     switch (base.shape) {
         case BaseShape::round:
             return base.is_disc() && base.inner_radius_m > 0
-                       ? fmt::format("round base, evenly bedded from {:.4g} m of radius on", base.inner_radius_m)
+                       ? fmt::format("round base, evenly bedded from {} of radius on", length.text(base.inner_radius_m))
                    : base.is_disc()    ? std::string("round base, evenly bedded")
                    : base.continuous() ? std::string("round base on its continuous rim")
                                        : fmt::format("round base, {} points on its rim", base.points);
@@ -32,11 +33,11 @@ std::string base_text(BasePlan const& base) {
 }
 
 // What base and pad make of the body's restitution.
-std::string footing_text(BodySpec const& body) {
+std::string footing_text(BodySpec const& body, TypedUnits const& units) {
     auto const& base = body.footing.base;
     auto const& pad = body.footing.pad;
-    auto text = fmt::format("{}, {:g} Hz, {}", base_text(base), pad.vertical_frequency_hz,
-                            pad.strength_pa ? fmt::format("{:g} MPa", *pad.strength_pa / 1e6) : "elastic");
+    auto text = fmt::format("{}, {:g} Hz, {}", base_text(base, units.length), pad.vertical_frequency_hz,
+                            pad.strength_pa ? units.pressure.text(*pad.strength_pa) : "elastic");
     if (base.shape == BaseShape::polygon) {
         return text;
     }
@@ -78,13 +79,15 @@ std::string friction_text(BodySpec const& body) {
 }
 
 // Which side is the weaker one, whose figures V_Ereq and all others are; empty where both are alike.
-std::string placement_text(RigidBody const& body, VelocityUnit const& unit) {
+std::string placement_text(RigidBody const& body, IntensityUnit const& acceleration,
+                           output::ShownVelocity const& unit) {
     std::string text;
     if (body.lopsided()) {
         auto const tips = [&](double side) {
             auto const& c = body.corner(side);
-            return fmt::format("alpha {:.2f} deg, uplift {:.4g} m/s2, V_Ereq {}", c.alpha_rad * 180 / pi,
-                               body.gravity_mps2() * std::tan(c.alpha_rad), unit.text(c.limit_velocity_mps));
+            return fmt::format("alpha {:.2f} deg, uplift {}, V_Ereq {}", c.alpha_rad * 180 / pi,
+                               acceleration.text(body.gravity_mps2() * std::tan(c.alpha_rad)),
+                               unit.text(c.limit_velocity_mps));
         };
         text = fmt::format("towards +x {}; towards -x {}; V_Ereq, alpha, p and e are those of the weaker side, {}x",
                            tips(1), tips(-1), body.weaker_side() > 0 ? '+' : '-');
@@ -96,17 +99,6 @@ std::string placement_text(RigidBody const& body, VelocityUnit const& unit) {
     return text;
 }
 
-// The unit of the levels, where they are accelerations.
-std::string acceleration_text(LevelSpec const& levels, double mps2) {
-    return levels.dimension() == Dimension::acceleration && !levels.stated_unit.empty()
-               ? fmt::format("{:.4g}", levels.shown(mps2))
-               : fmt::format("{:.4g}", mps2);
-}
-
-std::string acceleration_unit(LevelSpec const& levels) {
-    return levels.dimension() == Dimension::acceleration && !levels.stated_unit.empty() ? levels.stated_unit : "m/s2";
-}
-
 // A name keeps to its column.
 std::string short_name(std::string const& name) {
     constexpr std::size_t most = 22;
@@ -115,7 +107,7 @@ std::string short_name(std::string const& name) {
 
 }  // namespace
 
-std::string bodies_text(CampaignSpec const& spec, VelocityUnit const& unit, std::size_t most) {
+std::string bodies_text(CampaignSpec const& spec, output::ShownVelocity const& unit, std::size_t most) {
     auto const& bodies = spec.bodies;
     std::size_t width = std::string("bodies").size();
     for (auto const& body : bodies) {
@@ -129,23 +121,24 @@ std::string bodies_text(CampaignSpec const& spec, VelocityUnit const& unit, std:
         }
         return text + '\n';
     };
-    auto text = line("bodies", {"mass [t]", "alpha [deg]", "p [rad/s]", "e", "Housner",
-                                fmt::format("uplift [{}]", acceleration_unit(spec.levels)),
-                                fmt::format("V_Ereq [{}]", unit.symbol)});
+    auto const units = typed_units(spec);
+    auto text = line("bodies",
+                     {fmt::format("mass [{}]", units.mass.symbol), "alpha [deg]", "p [rad/s]", "e", "Housner",
+                      fmt::format("uplift [{}]", units.acceleration.symbol), fmt::format("V_Ereq [{}]", unit.symbol)});
     TextsOf sayings;
     for (std::size_t b = 0; b < bodies.size(); ++b) {
         auto const& [name, body] = std::pair(bodies[b].name, bodies[b].body);
         if (b < most) {
             text += line(short_name(name),
-                         {fmt::format("{:.4g}", body.mass_kg() / 1000),
+                         {fmt::format("{:.4g}", units.mass.of(body.mass_kg())),
                           fmt::format("{:.2f}", body.alpha_rad() * 180 / pi), fmt::format("{:.4f}", body.p_radps()),
                           fmt::format("{:.4f}", body.restitution()), fmt::format("{:.4f}", body.housner_restitution()),
-                          acceleration_text(spec.levels, body.uplift_acceleration_mps2()),
+                          fmt::format("{:.4g}", units.acceleration.of(body.uplift_acceleration_mps2())),
                           unit.number(body.limit_velocity_mps())});
         }
-        sayings.add(placement_text(body, unit), name);
+        sayings.add(placement_text(body, units.acceleration, unit), name);
         sayings.add(friction_text(bodies[b]), name);
-        sayings.add(bodies[b].footing.stated ? footing_text(bodies[b]) : "", name);
+        sayings.add(bodies[b].footing.stated ? footing_text(bodies[b], units) : "", name);
     }
     if (bodies.size() > most) {
         text += fmt::format("  and {} more (--full)\n", bodies.size() - most);
@@ -164,12 +157,17 @@ std::string bodies_text(CampaignSpec const& spec, VelocityUnit const& unit, std:
 }
 
 Json bodies_json(CampaignSpec const& spec) {
+    auto const units = typed_units(spec);
+    auto const in = [](IntensityUnit const& unit, double value) {
+        return Json{{"value", unit.of(value)}, {"unit", unit.symbol}};
+    };
     Json list = Json::array();
     for (auto const& each : spec.bodies) {
         auto const& body = each.body;
         Json remarks = Json::array();
-        auto const footing = each.footing.stated ? footing_text(each) : std::string();
-        for (auto const& remark : {placement_text(body, VelocityUnit{}), friction_text(each), footing}) {
+        auto const footing = each.footing.stated ? footing_text(each, units) : std::string();
+        for (auto const& remark : {placement_text(body, units.acceleration, VelocityUnit{}.of_campaign(spec)),
+                                   friction_text(each), footing}) {
             if (!remark.empty()) {
                 remarks.push_back(remark);
             }
@@ -182,6 +180,12 @@ Json bodies_json(CampaignSpec const& spec) {
                         {"housner_restitution", body.housner_restitution()},
                         {"uplift_mps2", body.uplift_acceleration_mps2()},
                         {"v_ereq_mps", body.limit_velocity_mps()},
+                        {"stated",
+                         {{"mass", in(units.mass, body.mass_kg())},
+                          {"half_width", in(units.length, body.half_width_m())},
+                          {"centre_height", in(units.length, body.centre_height_m())},
+                          {"uplift", in(units.acceleration, body.uplift_acceleration_mps2())},
+                          {"v_ereq", in(units.velocity, body.limit_velocity_mps())}}},
                         {"remarks", remarks}});
     }
     return list;

@@ -11,7 +11,7 @@ namespace overturn::cli {
 
 /// A row each, and below them what holds of some: placement, friction, base and pad, each text once.
 /// \param most rows; where there are more bodies, half as many texts and at least four. The others are counted
-[[nodiscard]] std::string bodies_text(CampaignSpec const& spec, VelocityUnit const& unit, std::size_t most);
+[[nodiscard]] std::string bodies_text(CampaignSpec const& spec, output::ShownVelocity const& unit, std::size_t most);
 
 /// The same of all bodies, in SI, with what holds of each.
 [[nodiscard]] Json bodies_json(CampaignSpec const& spec);

@@ -43,7 +43,7 @@ int print_difference(ReplayOptions const& options, store::ResultsReader const& f
 }
 
 int replay(ReplayOptions const& options) {
-    (void)options.unit.si();
+    options.unit.check();
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
         validate(options.rare.empty(), "--plot beside --rare (only rows of /trials are drawn). Leave one of them out");
@@ -67,7 +67,7 @@ int replay(ReplayOptions const& options) {
     auto const prepared = prepare_wave(spec, plan, wave, seconds);
     std::optional<HistoryFile> history;
     if (!options.history.empty()) {
-        history.emplace(options.history);
+        history.emplace(options.history, spec);
     }
     Observer* const observer = history ? &*history : nullptr;
     KeptHistory kept(observer);
@@ -77,7 +77,7 @@ int replay(ReplayOptions const& options) {
         auto const title = output::trial_title(spec, row, options.trial, plan.number(wave));
         MeasureSpec const* const measures = spec.measures.energy ? &spec.measures : nullptr;
         draw_history(kept, {title, spec.bodies[body], prepared.bodies[body].body, prepared.motion, row.scale, measures},
-                     options.unit, options.plot);
+                     units_json(spec, options.unit), options.plot);
         if (measures == nullptr) {
             print_note("{}: without V_WES (the campaign states [measures] energy = false)\n", options.plot);
         }

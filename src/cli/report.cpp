@@ -184,7 +184,7 @@ Json begun(ReportOptions const& options, CampaignSpec const& spec) {
     data["figures"] = options.figures.empty() ? "" : hexadecimal(fs::absolute(options.figures).string());
     data["parts"] = outlines_of(spec);
     data["placements"] = placements_of(spec);
-    data["velocity_unit"] = options.unit.json();
+    data["units"] = units_json(spec, options.unit);
     return data;
 }
 
@@ -208,7 +208,7 @@ int write_report(ReportOptions const& options) {
     check_places(options);
     check_fit_options(options.beta_u, options.confidence);
     auto const checks = read_check_records(options.records);
-    (void)options.unit.si();
+    options.unit.check();
     store::ResultsReader const file(options.file, options.unverified.trust());
     auto input = input_of(file);
     fetch_withheld(input, options.file);
@@ -219,7 +219,7 @@ int write_report(ReportOptions const& options) {
     auto data = begun(options, spec);
     double const confidence = options.confidence.value_or(spec.confidence);
     auto analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u, .band_points = 61});
-    tell_velocities(analysis, options.unit.measures());
+    tell_velocities(analysis, options.unit.requested ? options.unit.measures() : typed_unit(spec, Dimension::velocity));
     data["fit"] = output::fit_json(spec, statistics, analysis, confidence, output::WarningUnits::as_written);
     data["fit"]["assumptions"] = assumptions_json(spec);
     auto const telling = telling_trials(spec, file);

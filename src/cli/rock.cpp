@@ -30,7 +30,7 @@ struct RockOptions {
 
 int rock(RockOptions const& options) {
     validate(std::isfinite(options.scale), "--scale {} (must be finite). Give a factor such as 1.5", options.scale);
-    (void)options.unit.si();
+    options.unit.check();
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }
@@ -77,13 +77,14 @@ int rock(RockOptions const& options) {
             "{} under {}{}: {}", spec.name, std::filesystem::path(options.record.wave).filename().string(),
             options.scale == 1 ? "" : fmt::format(" times {:g}", options.scale), entry_of(response.verdict).name);
         MeasureSpec const usual;
-        draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual}, options.unit, options.plot);
+        draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual},
+                     {{"velocity", options.unit.alone().json()}}, options.plot);
     }
     output::OneResponse const answer{spec, record, drift_of(motion), response, selector, own};
     if (options.json) {
         fmt::print("{}\n", output::json_of(answer).dump(2));
     } else {
-        fmt::print("{}", output::text_of(answer, options.unit));
+        fmt::print("{}", output::text_of(answer, options.unit.alone()));
     }
     if (response.verdict == Verdict::failed) {
         throw SystemError(fmt::format("no verdict ({}). Check unit and scale", entry_of(response.failure).summary));

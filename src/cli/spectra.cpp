@@ -24,7 +24,7 @@ struct SpectraOptions {
     bool json = false;
 };
 
-void print_spectra(CampaignSpec const& spec, SpectraOfWaves const& spectra, VelocityUnit const& unit) {
+void print_spectra(CampaignSpec const& spec, SpectraOfWaves const& spectra, output::ShownVelocity const& unit) {
     fmt::print("{} waves{}, unscaled; they differ by {}\n", spectra.waves.size(),
                spectra.left_out > 0 ? fmt::format(" ({} more cannot be made)", spectra.left_out) : "",
                spec.source->about().variability);
@@ -52,7 +52,7 @@ int show_spectra(SpectraOptions const& options) {
              "--damping {} (a ratio, 0 to below 1: {} would be {:g} %). Write 0.1 for 10 %", options.damping,
              options.damping, 100 * options.damping);
     validate(options.waves >= 1, "--waves {} (at least one). Leave it out for the first 100", options.waves);
-    (void)options.unit.si();
+    options.unit.check();
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }
@@ -65,14 +65,14 @@ int show_spectra(SpectraOptions const& options) {
     auto json = spectra_json(spec, spectra);
     if (!options.plot.empty()) {
         auto data = json;
-        data["velocity_unit"] = options.unit.json();
+        data["units"] = units_json(spec, options.unit);
         report::draw_figure("spectra_figure.py", data, options.plot);
         print_note("{}: {} waves\n", options.plot, spectra.waves.size());
     }
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
     } else {
-        print_spectra(spec, spectra, options.unit);
+        print_spectra(spec, spectra, options.unit.of_campaign(spec));
     }
     return done;
 }

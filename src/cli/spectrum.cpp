@@ -120,7 +120,7 @@ int spectrum(SpectrumOptions const& options) {
     validate(options.damping >= 0 && options.damping < 1,
              "--damping {} (a ratio, 0 to below 1: {} would be {:g} %). Write 0.05 for 5 %", options.damping,
              options.damping, 100 * options.damping);
-    (void)options.unit.si();
+    options.unit.check();
     validate(options.plot.empty() || options.periods.empty(),
              "--periods beside --plot (the figure has periods of its own). Leave one of them out");
     auto const record = load_motion(options.record);
@@ -139,13 +139,14 @@ int spectrum(SpectrumOptions const& options) {
         spectra.energy = energy_for(*body, motion);
     }
     if (!options.plot.empty()) {
-        draw_record(options.record.wave, record, options.damping, body, options.unit, options.plot);
+        draw_record(options.record.wave, record, options.damping, body, options.unit.alone(), options.plot);
     }
     if (options.json) {
         fmt::print("{}\n", output::json_of(record, spectra).dump(2));
     } else {
         constexpr std::size_t every_fifth = 5;
-        fmt::print("{}", output::text_of(record, spectra, options.unit, options.periods.empty() ? every_fifth : 1));
+        fmt::print("{}",
+                   output::text_of(record, spectra, options.unit.alone(), options.periods.empty() ? every_fifth : 1));
     }
     return done;
 }

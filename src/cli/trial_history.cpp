@@ -166,11 +166,11 @@ Json history_data(KeptHistory const& history, HistoryOf const& of, std::size_t m
     return data;
 }
 
-void draw_history(KeptHistory const& history, HistoryOf const& of, VelocityUnit const& unit,
+void draw_history(KeptHistory const& history, HistoryOf const& of, nlohmann::ordered_json const& units,
                   std::string const& output) {
     validate(!history.empty(), "{}: nothing to draw (no model ran {}). Choose another trial", output, of.title);
     auto data = history_data(history, of, for_a_file);
-    data["velocity_unit"] = unit.json();
+    data["units"] = units;
     report::draw_figure("history_figure.py", data, output);
 }
 

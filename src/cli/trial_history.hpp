@@ -11,7 +11,6 @@
 
 #include "campaign/body_spec.hpp"
 #include "campaign/campaign_spec.hpp"
-#include "cli/velocity_unit.hpp"
 #include "model/history.hpp"
 #include "motion/ground_motion.hpp"
 
@@ -57,6 +56,8 @@ inline constexpr std::size_t for_a_file = 6000;
 [[nodiscard]] nlohmann::ordered_json history_data(KeptHistory const& history, HistoryOf const& of, std::size_t most);
 
 /// Draws it. \throws InputError where the history is empty; else as report::draw_figure
-void draw_history(KeptHistory const& history, HistoryOf const& of, VelocityUnit const& unit, std::string const& output);
+/// \param units of the kinds of quantities that are drawn (units_json)
+void draw_history(KeptHistory const& history, HistoryOf const& of, nlohmann::ordered_json const& units,
+                  std::string const& output);
 
 }  // namespace overturn::cli

@@ -81,7 +81,7 @@ int show_wave(WaveOptions const& options) {
     if (!options.output.empty()) {
         (void)kind_of(options.output);
     }
-    (void)options.unit.si();
+    options.unit.check();
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }
@@ -104,7 +104,7 @@ int show_wave(WaveOptions const& options) {
         write_output(options, spec.seed, made);
     }
     if (!options.plot.empty()) {
-        draw_campaign_wave(input, spec, made, options.unit, options.plot);
+        draw_campaign_wave(input, spec, made, options.unit.of_campaign(spec), options.plot);
         print_note("{}: {}\n", options.plot, made.label);
     }
     print_note("{}", output::wave_text(spec, made, check));

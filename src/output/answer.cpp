@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "campaign/assumptions.hpp"
+#include "campaign/typed_units.hpp"
 #include "campaign/validated_range.hpp"
 #include "core/wrapped.hpp"
 #include "output/detail/answer_cells.hpp"
@@ -31,6 +32,8 @@ std::string shortened(std::string const& name, std::size_t most) {
 }
 
 std::string count_text(std::int64_t waves) { return fmt::format("{} wave{}", waves, waves == 1 ? "" : "s"); }
+
+constexpr double least_slip_m = 1e-4;  // below it a slip is not printed as a number
 
 // What one body needs of rows.
 enum class Detail { all, probabilities, overturning };
@@ -158,7 +161,8 @@ class SheetMaker {
         auto const percentiles = [&](char const* quantity, double unit, double least) {
             return [=, &body](std::size_t l) { return percentiles_text(quantiles_at(body, quantity, l), unit, least); };
         };
-        add_row("", "slip [mm]", percentiles("peak_slip", 1e-3, 0.1));
+        auto const slip = typed_units(of_.spec).slip;
+        add_row("", fmt::format("slip [{}]", slip.symbol), percentiles("peak_slip", slip.si, least_slip_m / slip.si));
         // Where alpha is drawn too, the stored ratio is not of one angle.
         bool const drawn = !of_.spec.bodies[b].scattering().empty();
         auto const alpha = of_.spec.bodies[b].body.alpha_rad();

@@ -6,24 +6,24 @@
 #include <fmt/format.h>
 
 #include "campaign/limit_state.hpp"
+#include "campaign/typed_units.hpp"
 #include "output/answer.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::output {
 namespace {
 
-constexpr double mm_per_m = 1e3;
 constexpr double degrees_per_rad = 180 / pi;
 
 std::string number_or_dash(double value) { return std::isnan(value) ? std::string("-") : fmt::format("{:.3g}", value); }
 
 // A signed response says how far it is from its limit: its nearness is the exponential of the metres beyond.
-std::string nearness_text(LimitState const& limit, double nearness) {
+std::string nearness_text(LimitState const& limit, double nearness, IntensityUnit const& unit) {
     if (!limit.quantity.is_signed) {
         return fmt::format("{:.3g} of", nearness);
     }
-    auto const beyond_mm = mm_per_m * std::log(nearness);
-    return beyond_mm > 0 ? fmt::format("{:.3g} mm beyond", beyond_mm) : fmt::format("{:.3g} mm to", -beyond_mm);
+    auto const beyond = unit.of(std::log(nearness));
+    return fmt::format("{:.3g} {} {}", std::abs(beyond), unit.symbol, beyond > 0 ? "beyond" : "to");
 }
 
 // "1.3 of slides", "398 mm to touches": the limit that the response came nearest to. Of limits that only some models'
@@ -32,6 +32,7 @@ std::string nearest_limit(CampaignSpec const& spec, LimitJudge const& judge, Tri
     if (entry_of(row.verdict).fell) {
         return "fell";
     }
+    auto const slip = typed_units(spec).slip;
     double most = -1;
     std::size_t which = 0;
     for (std::size_t limit = 1; limit < spec.limits.size(); ++limit) {
@@ -42,7 +43,7 @@ std::string nearest_limit(CampaignSpec const& spec, LimitJudge const& judge, Tri
         }
     }
     return which == 0 ? std::string("-")
-                      : fmt::format("{} {}", nearness_text(spec.limits[which], most),
+                      : fmt::format("{} {}", nearness_text(spec.limits[which], most, slip),
                                     said_name(spec.limits[which], spec.limits));
 }
 
@@ -62,7 +63,9 @@ std::vector<TrialRow> at_answer_levels(CampaignSpec const& spec, std::span<Trial
 }  // namespace
 
 RecordSheet record_sheet(CampaignSpec const& spec, std::span<TrialRow const> trials) {
-    RecordSheet sheet{{"record", "body", spec.levels.measure_label(), "verdict", "slip [mm]", "tilt [deg]", "model"},
+    auto const slip = typed_units(spec).slip;
+    RecordSheet sheet{{"record", "body", spec.levels.measure_label(), "verdict", fmt::format("slip [{}]", slip.symbol),
+                       "tilt [deg]", "model"},
                       {}};
     bool const limits = spec.limits.size() > 1;
     if (limits) {
@@ -73,7 +76,7 @@ RecordSheet record_sheet(CampaignSpec const& spec, std::span<TrialRow const> tri
         auto const& of = spec.bodies[row.body];
         auto const& end = entry_of(row.verdict);
         sheet.rows.push_back({spec.source->name(row.wave), of.name, spec.levels.text(row.amplitude),
-                              std::string(end.name), of.friction ? number_or_dash(mm_per_m * row.peak_slip_m) : "-",
+                              std::string(end.name), of.friction ? number_or_dash(slip.of(row.peak_slip_m)) : "-",
                               end.fell ? "fell" : number_or_dash(degrees_per_rad * row.peak_rotation_rad),
                               model_name(row)});
         if (limits) {

@@ -67,7 +67,7 @@ std::string notes_text(Printed const& printed, bool all) {
 std::string responses_text(Answered const& of) {
     std::string text;
     for (auto const& body : of.analysis) {
-        auto const quantiles = quantiles_text(body, of.confidence);
+        auto const quantiles = quantiles_text(of.spec, body, of.confidence);
         text += quantiles.empty() ? std::string() : fmt::format("\n{}\n{}", body.body, quantiles);
     }
     return text;

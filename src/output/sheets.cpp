@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -34,6 +36,7 @@ class Sheets {
         : file_(file),
           columns_(file.columns()),
           stated_(stated_unit_of_levels(file)),
+          typed_(stated_units_of_columns(file)),
           level_units_(file.text("level_units")),
           level_measure_(file.text("level_measure")) {}
 
@@ -89,6 +92,14 @@ class Sheets {
         auto const by_row = file_.attribute_or(column.path, "units_from", "");
         source.column.unit = by_row.empty() ? (column.units.empty() ? "1" : column.units) : by_row;
         part.sources.push_back(source);
+        auto const typed = typed_.find(column.units);
+        bool const of_level = name == "amplitude" && column.units == level_units_ && stated_;
+        if (typed != typed_.end() && by_row.empty() && !of_level && column.type == FieldType::real) {
+            source.column.unit = typed->second.symbol;
+            source.per_unit = typed->second.si;
+            part.sources.push_back(std::move(source));
+            return;
+        }
         if (!stated_ || stated_->symbol == level_units_) {
             return;
         }
@@ -136,7 +147,8 @@ class Sheets {
 
     store::ResultsReader const& file_;
     std::vector<store::ColumnMeaning> columns_;
-    std::optional<StatedUnit> stated_;
+    std::optional<StatedUnit> stated_;         ///< of levels
+    std::map<std::string, StatedUnit> typed_;  ///< of columns, by their SI unit
     std::string level_units_, level_measure_;
 };
 

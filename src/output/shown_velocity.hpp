@@ -1,7 +1,6 @@
 /// In which unit figures and tables show velocities; JSON and csv stay SI.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -9,7 +8,6 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "stats/intensity_unit.hpp"
 
 namespace overturn::output {
 
@@ -26,11 +24,6 @@ struct ShownVelocity {
             throw InputError(std::string("--velocities: ") + error.what());
         }
     }
-    /// Unit of measures in a table; empty where the user stated none.
-    [[nodiscard]] std::optional<IntensityUnit> measures() const {
-        auto const one = si();
-        return symbol == usual ? std::optional<IntensityUnit>() : IntensityUnit{symbol, one};
-    }
     [[nodiscard]] double of(double mps) const { return mps / si(); }
     /// "1.3492", "134.92": the same five digits of a velocity about 1 m/s.
     [[nodiscard]] std::string number(double mps) const {
@@ -38,7 +31,6 @@ struct ShownVelocity {
     }
     /// "1.3492 m/s", "134.92 kine".
     [[nodiscard]] std::string text(double mps) const { return number(mps) + ' ' + symbol; }
-    /// The value `velocity_unit` for the scripts that draw figures.
     [[nodiscard]] nlohmann::ordered_json json() const { return {{"symbol", symbol}, {"si", si()}}; }
 };
 

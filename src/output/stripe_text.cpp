@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/typed_units.hpp"
 #include "output/detail/limit_text.hpp"
 #include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
@@ -56,12 +57,13 @@ std::string left_out(CampaignSpec const& spec, BodySpec const& body, BodyStatist
 void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s,
                  std::optional<IntensityUnit> const& velocities) {
     double const limit = body.body.limit_velocity_mps();
-    text += fmt::format("\n{}: alpha {:.1f} deg, R {:.3f} m, e {:.3f}, {}V_Ereq {}\n", body.name,
-                        body.body.alpha_rad() * 180 / pi, body.body.radius_m(), body.body.restitution(),
-                        body.friction ? fmt::format("friction {:g}/{:g}, ", body.friction->static_coefficient,
-                                                    body.friction->kinetic_coefficient)
-                                      : std::string("no slip, "),
-                        velocities ? velocities->text(limit) : fmt::format("{:.3f} m/s", limit));
+    text += fmt::format(
+        "\n{}: alpha {:.1f} deg, R {}, e {:.3f}, {}V_Ereq {}\n", body.name, body.body.alpha_rad() * 180 / pi,
+        typed_units(spec).length.text(body.body.radius_m()), body.body.restitution(),
+        body.friction
+            ? fmt::format("friction {:g}/{:g}, ", body.friction->static_coefficient, body.friction->kinetic_coefficient)
+            : std::string("no slip, "),
+        velocities.value_or(typed_units(spec).velocity).text(limit));
     auto const shown = shown_ends(s);
     text += fmt::format("{:>10} {:>7}", fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()),
                         "trials");

@@ -12,7 +12,8 @@
 
 namespace overturn::output {
 
-/// Trials of every body and limit state by level. \param velocities unit of V_Ereq; none: m/s
+/// Trials of every body and limit state by level. \param velocities unit of V_Ereq; none: that of
+/// the campaign
 [[nodiscard]] std::string stripes_text(CampaignSpec const& spec, Statistics const& statistics,
                                        std::optional<IntensityUnit> const& velocities = {});
 

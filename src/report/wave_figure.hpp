@@ -45,7 +45,9 @@ struct WaveFigure {
     struct Unit {
         std::string symbol = "m/s";
         double si = 1;  ///< SI value of one of it
-    } velocities;       ///< unit of drawn velocities
+    };
+    Unit velocities;                   ///< unit of drawn velocities
+    Unit accelerations = {"m/s2", 1};  ///< and of drawn accelerations
 };
 
 /// Data of the figure, for pages that hold it among others.

@@ -1,6 +1,8 @@
 #include "results/stated_levels.hpp"
 
+#include "campaign/campaign_spec.hpp"
 #include "campaign/level_spec.hpp"
+#include "campaign/typed_units.hpp"
 #include "config/table.hpp"
 #include "results/recount.hpp"
 
@@ -15,6 +17,23 @@ std::optional<StatedUnit> stated_unit_of_levels(store::ResultsReader const& file
     } catch (InputError const&) {
         return std::nullopt;  // keys of another program
     }
+}
+
+std::map<std::string, StatedUnit> stated_units_of_columns(store::ResultsReader const& file) {
+    std::map<std::string, StatedUnit> units;
+    try {
+        auto const spec = parse_campaign(input_of(file));
+        for (auto const dimension :
+             {Dimension::length, Dimension::mass, Dimension::velocity, Dimension::acceleration, Dimension::angle}) {
+            auto const si = std::string(si_symbol(dimension));
+            if (auto const unit = typed_unit(spec, dimension); unit && unit->symbol != si) {
+                units[si] = {unit->symbol, unit->si};
+            }
+        }
+    } catch (InputError const&) {
+        return {};  // keys of another program
+    }
+    return units;
 }
 
 }  // namespace overturn

@@ -1,6 +1,7 @@
-/// In which unit a results file's campaign states its levels.
+/// In which units a results file's campaign states its levels and responses.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 
@@ -15,5 +16,9 @@ struct StatedUnit {
 
 /// Empty where the campaign states them as bare numbers, or cannot be read by this program: its numbers are SI then.
 [[nodiscard]] std::optional<StatedUnit> stated_unit_of_levels(store::ResultsReader const& file);
+
+/// The same of columns whose SI unit is the key ("m", "m/s2"), for what the campaign states in other than SI units.
+/// Without entries where the campaign cannot be read by this program, or records are missing.
+[[nodiscard]] std::map<std::string, StatedUnit> stated_units_of_columns(store::ResultsReader const& file);
 
 }  // namespace overturn

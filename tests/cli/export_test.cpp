@@ -58,7 +58,7 @@ TEST_F(Export, IsWhatTheFileHolds) {
     if (!has_python(folder, "h5py, openpyxl")) {
         GTEST_SKIP() << no_python;
     }
-    run(campaign_on_points(4) + "[[limits]]\nname='touches, \"hard\"'\nquantity='peak_slip'\nabove='0.1 m'\n");
+    run(campaign_on_points(4) + "[[limits]]\nname='touches, \"hard\"'\nquantity='peak_slip'\nabove='10 cm'\n");
     expect_exported_as_stored();
     auto const first = folder.read("c.tables/tables.xlsx");
     EXPECT_NE(folder.read("c.tables/stripes.csv").find(",\"touches, \"\"hard\"\"\",3,300,"), std::string::npos);

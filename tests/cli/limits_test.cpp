@@ -120,7 +120,7 @@ TEST_F(Limits, FitReportsThemByName) {
     EXPECT_EQ(run.out, overturn(folder, {"fit", "1.h5"}).out + "results: 1.h5\n");
     auto const told = overturn(folder, {"fit", "1.h5", "--full"});
     EXPECT_NE(told.out.find("type-a, limit state touches: peak_slip > 4 cm"), std::string::npos) << told.out;
-    EXPECT_NE(told.out.find("peak_slip m of the trials, with 95 % intervals"), std::string::npos) << told.out;
+    EXPECT_NE(told.out.find("peak_slip cm of the trials, with 95 % intervals"), std::string::npos) << told.out;
     auto const json = fit("1.h5");
 
     ASSERT_EQ(json["limit_states"].size(), 5U);
@@ -171,7 +171,7 @@ TEST_F(Limits, ReportShowsThem) {
 
     for (auto const* part :
          {"<section id=\"limits\"", "<section id=\"responses\"", "_a $\\int &lt; b$: peak_slip &gt; 4 cm",
-          "<td class=short>slip [mm]</td>", "<th scope=col>at rest</th>", "every measure, with its rank (AUC)"}) {
+          "<td class=short>slip [cm]</td>", "<th scope=col>at rest</th>", "every measure, with its rank (AUC)"}) {
         EXPECT_NE(page.find(part), std::string::npos) << part;
     }
     auto const fitted = nlohmann::ordered_json::parse(overturn(folder, {"fit", "1.h5", "--json"}).out);

@@ -91,6 +91,18 @@ TEST_F(CalculationPackage, CoverBearsWhatIsStatedAndNoMore) {
     EXPECT_EQ(json::parse(folder->read("p.html")).at("cover").at("question"), "Why?");
 }
 
+// figures and tables of the page are in the units of the campaign.
+TEST_F(CalculationPackage, IsInTheUnitsOfTheCampaign) {
+    auto const units = data_of().at("units");
+    EXPECT_EQ(units.at("mass").at("symbol"), "t");
+    EXPECT_EQ(units.at("length").at("symbol"), "m");
+    EXPECT_EQ(units.at("slip").at("symbol"), "mm");
+    EXPECT_EQ(units.at("acceleration").at("symbol"), "gal");
+    EXPECT_EQ(units.at("acceleration").at("si"), 0.01);
+    EXPECT_EQ(units.at("velocity").at("symbol"), "m/s");
+    EXPECT_EQ(data_of({"--velocities", "kine"}).at("units").at("velocity").at("symbol"), "kine");
+}
+
 TEST_F(CalculationPackage, ChecksWithoutARecordAreNotRun) {
     auto const rows = checks({});
     ASSERT_EQ(rows.size(), 5U);

@@ -80,7 +80,7 @@ TEST_F(Units, CurvesQuotesAndNotesAreInThatOfTheLevels) {
     auto const at = table.find("limit state touches");
     ASSERT_NE(at, std::string::npos);
     EXPECT_NE(table.find("\n       300 ", at), std::string::npos) << table;
-    EXPECT_NE(table.find("\n         300 ", table.find("peak_slip m of the trials")), std::string::npos) << table;
+    EXPECT_NE(table.find("\n         300 ", table.find("peak_slip cm of the trials")), std::string::npos) << table;
     EXPECT_NE(table.find("the median is between 800 and 1200 gal"), std::string::npos) << table;
     EXPECT_NE(table.find("pgv m/s"), std::string::npos) << "of no unit that was written";
 }
@@ -121,6 +121,61 @@ TEST_F(Units, VelocitiesArePrintedAsRequested) {
     auto const refused = overturn(folder, {"run", "k.toml", "-o", "l.h5", "--velocities", "furlong"});
     EXPECT_EQ(refused.code, 2);
     EXPECT_NE(refused.err.find("--velocities: unit 'furlong'"), std::string::npos) << refused.err;
+}
+
+// A campaign in inches, pounds and g is read in these, wherever numbers are shown; JSON has both.
+TEST_F(Units, EverythingIsReadInTheUnitsOfTheCampaign) {
+    auto campaign = small_campaign("shared", 3);
+    auto const replace = [&](std::string const& from, std::string const& to) {
+        for (auto at = campaign.find(from); at != std::string::npos; at = campaign.find(from)) {
+            campaign.replace(at, from.size(), to);
+        }
+    };
+    replace("mass='12.6 t'", "mass='27.8 KIP'");
+    replace("base_width='1.36 m'", "base_width='53.5 in'");
+    replace("centre_height='1.045 m'", "centre_height='3.43 ft'");
+    replace("values=['300 gal','600 gal','1200 gal']", "values=['0.3 g','0.6 g','1.8 g']");
+    replace("design_basis='600 gal'", "design_basis='0.6 g'");
+    replace("friction=0.5", "friction=0.2");  // slides
+    auto const fast = "[[limits]]\nname='fast'\nquantity='v_resp'\nabove='60 kine'\n";
+    folder.write("target.csv", target_csv);
+    folder.write("c.toml", campaign + fast);
+    auto const ran = overturn(folder, {"run", "c.toml", "--section", "records,stripes,responses,trials"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+
+    auto const expect_all = [](std::string const& text, std::vector<std::string> const& parts) {
+        for (auto const& part : parts) {
+            EXPECT_NE(text.find(part), std::string::npos) << part << " in\n" << text;
+        }
+        for (auto const* const si : {" m/s", "m/s2", " mm", " kg", " m,"}) {
+            EXPECT_EQ(text.find(si), std::string::npos) << si << " in\n" << text;
+        }
+    };
+    expect_all(ran.out, {"slip [in]", "R 49.", " in, e", " kine\n", "peak_slip in of the trials", "slip in\n"});
+    auto const pad = std::string("[[bodies]]\nname='crushed'\nmass='12.6 t'\nbase_width='1.36 m'\n")
+                     + "centre_height='1.045 m'\ninertia='uniform-block'\npad={strength='4 ksi'}\n";
+    folder.write("p.toml", campaign + fast + pad);
+    expect_all(overturn(folder, {"plan", "p.toml"}).out,
+               {"mass [kip]", "uplift [g]", "V_Ereq [kine]", "4 ksi", " 27.8 "});
+    auto const plan = json::parse(overturn(folder, {"plan", "c.toml", "--json"}).out);
+    auto const& body = plan.at("bodies").at(0);
+    EXPECT_EQ(body.at("stated").at("mass").at("unit"), "kip");
+    EXPECT_NEAR(body.at("stated").at("mass").at("value").get<double>(), 27.8, 1e-9);
+    EXPECT_NEAR(body.at("mass_kg").get<double>(), 27800 * 0.45359237, 1e-6);  // international pound, 1959
+    EXPECT_NEAR(body.at("stated").at("half_width").at("value").get<double>(), 53.5 / 2, 1e-9);
+
+    // Histories and tables have SI, and behind it the units of the campaign.
+    ASSERT_EQ(overturn(folder, {"replay", "c.h5", "--trial", "1", "--history", "h.csv"}).code, 0);
+    auto const history = folder.read("h.csv");
+    EXPECT_NE(history.substr(0, history.find('\n')).find(",slip_m,slip_velocity_mps,slip [in],slip_velocity [kine]"),
+              std::string::npos)
+        << history.substr(0, history.find('\n'));
+    ASSERT_EQ(overturn(folder, {"export", "c.h5", "--as", "csv"}).code, 0);
+    for (auto const& [file, titles] : {std::pair{"c.tables/trials.csv", "peak_slip [m],peak_slip [in],"},
+                                       {"c.tables/trials.csv", "v_resp [m/s],v_resp [kine],"},
+                                       {"c.tables/waves.csv", "pga [m/s2],pga [g],pgv [m/s],pgv [kine],"}}) {
+        EXPECT_NE(folder.read(file).find(titles), std::string::npos) << titles;
+    }
 }
 
 // JSON and the file do not know how the levels were written.

@@ -103,14 +103,17 @@ def check(table, header, rows, digits):
     print(table, len(rows), "rows", cells, "cells")
 
 
+PER_SI = {"gal": 100, "cm": 100, "t": 1e-3, "deg": math.degrees(1), "mm": 1000}
+
+
 def stated(table, name, unit, cell, value_of):
-    """Levels of these tests are stated in gal."""
-    assert unit == "gal", f"{table}: {name} in {unit}"
+    """Levels of these tests are stated in gal, limits in cm."""
+    assert unit in PER_SI, f"{table}: {name} in {unit}"
     applies = table != "curves" or value_of["measure"] == "pga"
     if not applies or value_of[name] == "":
-        assert cell == "", f"{table}: {name} in gal is {cell!r}"
+        assert cell == "", f"{table}: {name} in {unit} is {cell!r}"
     else:
-        assert math.isclose(float(cell), 100 * float(value_of[name]), rel_tol=1e-11), f"{table}: {name} in gal"
+        assert math.isclose(float(cell), PER_SI[unit] * float(value_of[name]), rel_tol=1e-11), f"{table}: {name} in {unit}"
 
 
 def of_csv(table):

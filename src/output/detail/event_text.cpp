@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/typed_units.hpp"
 #include "output/interval_text.hpp"
 #include "output/package_text.hpp"
 #include "response/registry.hpp"
@@ -60,15 +61,17 @@ std::string telling_text(CampaignSpec const& spec, std::span<TellingTrial const>
     for (auto const& body : spec.bodies) {
         wide = std::max(wide, body.name.size());
     }
+    auto const slip = typed_units(spec).slip;
     auto text = fmt::format(
         "trials to inspect (overturn replay {} --trial N)\n"
         "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11} {:>9}\n",
-        file, "body", wide, "kind", "trial", "wave", spec.levels.measure_name(), "verdict", "peak/alpha", "slip m");
+        file, "body", wide, "kind", "trial", "wave", spec.levels.measure_name(), "verdict", "peak/alpha",
+        "slip " + slip.symbol);
     for (auto const& t : trials) {
         text += fmt::format(
             "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11.4g} {:>9.4g}{}\n", spec.bodies[t.body].name, wide,
             telling_kinds.at(static_cast<std::size_t>(t.kind)), t.trial, t.wave, spec.levels.text(t.amplitude),
-            entry_of(t.verdict).name, t.peak_rotation_ratio, t.peak_slip_m,
+            entry_of(t.verdict).name, t.peak_rotation_ratio, slip.of(t.peak_slip_m),
             std::isnan(t.overturned_at) ? std::string()
                                         : fmt::format("  overturned at {}", spec.levels.text(t.overturned_at)));
     }

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/typed_units.hpp"
 #include "core/outward.hpp"
 #include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
@@ -13,16 +14,17 @@ namespace overturn::output {
 namespace {
 
 // "fell" where the value stands for a body that overturned.
-std::string value_text(LevelQuantiles const& at, double value) {
-    return value >= at.fallen ? std::string("fell") : fmt::format("{:.3g}", value);
+std::string value_text(LevelQuantiles const& at, double value, double shown) {
+    return value >= at.fallen ? std::string("fell") : fmt::format("{:.3g}", shown);
 }
 
-std::string quantile_text(LevelQuantiles const& at, SampleQuantile const& q) {
-    auto const end = [&](std::optional<double> const& value, double rounded) {
-        return value ? value_text(at, *value >= at.fallen ? *value : rounded) : "open";
+std::string quantile_text(LevelQuantiles const& at, SampleQuantile const& q, IntensityUnit const& unit) {
+    auto const end = [&](std::optional<double> const& value, auto outwards) {
+        return value ? value_text(at, *value, outwards(unit.of(*value))) : std::string("open");
     };
-    return fmt::format("{} [{}, {}]", value_text(at, q.value), end(q.lower, rounded_down(q.lower.value_or(0))),
-                       end(q.upper, rounded_up(q.upper.value_or(0))));
+    return fmt::format("{} [{}, {}]", value_text(at, q.value, unit.of(q.value)),
+                       end(q.lower, [](double shown) { return rounded_down(shown); }),
+                       end(q.upper, [](double shown) { return rounded_up(shown); }));
 }
 
 }  // namespace
@@ -68,7 +70,7 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
     return text;
 }
 
-std::string quantiles_text(BodyAnalysis const& body, double confidence) {
+std::string quantiles_text(CampaignSpec const& spec, BodyAnalysis const& body, double confidence) {
     std::string text;
     std::string quantity;
     auto const& levels = body.over_levels();
@@ -88,19 +90,21 @@ std::string quantiles_text(BodyAnalysis const& body, double confidence) {
         if (std::ranges::none_of(body.quantiles, moves)) {
             continue;
         }
+        auto const unit = shown_unit(spec, at.units);
         if (at.quantity != quantity) {
             quantity = at.quantity;
             text += fmt::format(
                 "  {}{} of the trials, with {:g} % intervals between order statistics\n  {:>10} {:>28} "
                 "{:>28} {:>28}\n",
-                quantity, at.units == "1" ? "" : " " + at.units, 100 * confidence,
+                quantity, unit.symbol == "1" ? "" : " " + unit.symbol, 100 * confidence,
                 fmt::format("{} {}", levels.name, levels.shown_in.symbol), "median", "84 %", "95 %");
         }
-        text += at.trials == 0 ? fmt::format("  {:>10.4g} unknown\n", levels.shown_in.of(at.amplitude))
-                               : fmt::format("  {:>10.4g} {:>28} {:>28} {:>28}{}\n", levels.shown_in.of(at.amplitude),
-                                             quantile_text(at, at.quantiles[0]), quantile_text(at, at.quantiles[1]),
-                                             quantile_text(at, at.quantiles[2]),
-                                             at.unknown > 0 ? fmt::format("  {} unknown", at.unknown) : std::string());
+        text += at.trials == 0
+                    ? fmt::format("  {:>10.4g} unknown\n", levels.shown_in.of(at.amplitude))
+                    : fmt::format("  {:>10.4g} {:>28} {:>28} {:>28}{}\n", levels.shown_in.of(at.amplitude),
+                                  quantile_text(at, at.quantiles[0], unit), quantile_text(at, at.quantiles[1], unit),
+                                  quantile_text(at, at.quantiles[2], unit),
+                                  at.unknown > 0 ? fmt::format("  {} unknown", at.unknown) : std::string());
     }
     return text;
 }

@@ -18,6 +18,6 @@ namespace overturn::output {
                                              std::size_t limit);
 
 /// Percentiles of slip and rotation of a body at each level; empty if it never moved.
-[[nodiscard]] std::string quantiles_text(BodyAnalysis const& body, double confidence);
+[[nodiscard]] std::string quantiles_text(CampaignSpec const& spec, BodyAnalysis const& body, double confidence);
 
 }  // namespace overturn::output

@@ -131,11 +131,13 @@ class Report:
     def bodies(self):
         rows = []
         for body in self.results.bodies:
-            n = {**body.numbers, "v_ereq": style.speed(body.numbers["v_ereq_mps"])}
-            rows.append([body.name] + [value_of(n[key]) for key in
-                        ("mass_kg", "half_width_m", "centre_height_m", "radius_m", "p_radps", "restitution", "housner_restitution",
-                         "t0_s", "t1_s", "v_ereq")] + [value_of(n["alpha_rad"] * 57.29577951308232)])
-        head = ["body", "m [kg]", "b [m]", "h [m]", "R [m]", "p [rad/s]", "e", "e Housner", "T0 [s]", "T1 [s]",
+            n = body.numbers
+            lengths = [style.shown("length", n[key]) for key in ("half_width_m", "centre_height_m", "radius_m")]
+            others = [n[key] for key in ("p_radps", "restitution", "housner_restitution", "t0_s", "t1_s")]
+            rows.append([body.name] + [value_of(number) for number in (
+                style.shown("mass", n["mass_kg"]), *lengths, *others, style.speed(n["v_ereq_mps"]), n["alpha_rad"] * 57.29577951308232)])
+        long = style.unit("length")
+        head = ["body", f"m [{style.unit('mass')}]", f"b [{long}]", f"h [{long}]", f"R [{long}]", "p [rad/s]", "e", "e Housner", "T0 [s]", "T1 [s]",
                 f"V_Ereq [{style.speed_unit()}]", "α [°]"]
         drawn = [self.figure("bodies" + part, lambda path, shown=shown: body_figure.draw(shown, self.data["parts"], path),
                              "bodies to one scale")
@@ -206,9 +208,9 @@ class Report:
             return ""
         self.rows("telling_trials", trials)
         rows = [[t["body"], t["kind"], t["trial"], t["wave"], self.amplitude(t["amplitude"]), t["verdict"],
-                 value_of(t["peak_rotation_ratio"]), value_of(t["peak_slip_m"], 3), self.amplitude(t["overturned_at"])]
+                 value_of(t["peak_rotation_ratio"]), value_of(None if t["peak_slip_m"] is None else style.shown("slip", t["peak_slip_m"]), 3), self.amplitude(t["overturned_at"])]
                 for t in trials]
-        head = ["body", "kind", "trial", "wave", "level", "verdict", "peak rotation / α", "slip [m]", "overturned at"]
+        head = ["body", "kind", "trial", "wave", "level", "verdict", "peak rotation / α", f"slip [{style.unit('slip')}]", "overturned at"]
         return "<h4>Trials to inspect</h4>" + table("trials to inspect", head, rows, self.notes["telling_trials"], "sortable")
 
     def trials(self):

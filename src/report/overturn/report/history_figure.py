@@ -16,10 +16,10 @@ HIGHEST_TILT = 1.5  # of alpha: beyond it a body falls, and its way down would f
 def draw_wave(axes, wave):
     for component in reversed(wave):
         colour, width = COMPONENTS[component["name"]]
-        peak = np.max(np.abs(component["values"]))
-        axes.plot(component["time_s"], component["values"], color=colour, lw=width,
-                  label=f"{component['name']}, {plain(peak)} m/s²")
-    axes.set_ylabel("wave\n[m/s²]")
+        values = style.shown("acceleration", np.asarray(component["values"], dtype=float))
+        axes.plot(component["time_s"], values, color=colour, lw=width,
+                  label=f"{component['name']}, {plain(np.max(np.abs(values)))} {style.unit('acceleration')}")
+    axes.set_ylabel(f"wave\n[{style.unit('acceleration')}]")
     handles, labels = axes.get_legend_handles_labels()
     axes.legend(handles[::-1], labels[::-1], loc="lower right", ncols=3, bbox_to_anchor=(1, 0.98))
 
@@ -65,7 +65,7 @@ def draw_quantity(axes, time, values, label, colour):
 
 def plan(axes, channels, outline):
     """Where the base began and ended, seen from above, and the way of its corners (of a rim: four points)."""
-    yaw, x, y = channels["yaw_rad"], channels["x_m"], channels["y_m"]
+    yaw, x, y = channels["yaw_rad"], style.shown("length", channels["x_m"]), style.shown("length", channels["y_m"])
     traced = outline if len(outline) <= 8 else outline[::len(outline) // 4]
     for corner in traced:
         axes.plot(x + np.cos(yaw) * corner[0] - np.sin(yaw) * corner[1],
@@ -76,7 +76,7 @@ def plan(axes, channels, outline):
         closed = np.vstack([turned, turned[:1]])
         axes.plot(closed[:, 0], closed[:, 1], color=colour, lw=1.1, label="before" if at == 0 else "after")
     axes.set_aspect("equal", adjustable="datalim")
-    axes.set(xlabel="x [m]", ylabel="y [m]", title="base in plan")
+    axes.set(xlabel=f"x [{style.unit('length')}]", ylabel=f"y [{style.unit('length')}]", title="base in plan")
     axes.legend(loc="upper right")
 
 
@@ -87,12 +87,11 @@ def quantities(channels):
         slip = np.hypot(channels["x_m"], channels["y_m"])
     if np.any(slip != 0):
         what = "base moved" if "x_m" in channels else "slip"
-        small = np.max(np.abs(slip)) < 0.1
-        yield (1000 if small else 1) * slip, f"{what}\n[{'mm' if small else 'm'}]", ORANGE
+        yield style.shown("slip", slip), f"{what}\n[{style.unit('slip')}]", ORANGE
     if "contact_force_over_weight" in channels:
         yield channels["contact_force_over_weight"], "N / (m g)", PURPLE
     if np.any(channels.get("crush_m", np.zeros(1)) > 0):
-        yield 1000 * channels["crush_m"], "crush\n[mm]", SKY
+        yield style.shown("slip", channels["crush_m"]), f"crush\n[{style.unit('slip')}]", SKY
 
 
 def draw(data, path):
@@ -118,6 +117,6 @@ def draw(data, path):
     panels[-1].set_xlabel("time [s]")
     figure.align_ylabels(panels)
     if spatial:
-        plan(figure.add_subplot(grid[count]), channels, np.asarray(data["outline"]))
+        plan(figure.add_subplot(grid[count]), channels, style.shown("length", np.asarray(data["outline"])))
     figure.suptitle(style.literal(textwrap.fill(data["title"], 105)), x=0.012, ha="left", fontsize=8.5, fontweight="bold")
     style.save(figure, path)

@@ -59,20 +59,21 @@ def draw(data, path):
     draw_bodies(energy, data, style.speed(max(data["v_e_mps"]["highest"])))
     energy.set_ylabel(f"$V_E$, {style.speed_unit()}")
     energy.set_title(f"Input energy, {100 * data['energy_damping']:g} % damping")
-    draw_each(response, data, "psa_mps2", 1)
+    in_unit = lambda values: style.shown("acceleration", np.array(values, dtype=float))  # noqa: E731
+    draw_each(response, data, "psa_mps2", style.shown("acceleration", 1))
     if not few:
-        draw_band(response, periods, data["psa_mps2"], BLUE, "16 %, 50 %, 84 % of the waves")
+        draw_band(response, periods, {key: in_unit(values) for key, values in data["psa_mps2"].items()}, BLUE, "16 %, 50 %, 84 % of the waves")
     target = data["target"]
     if target:
         drawn = target["drawn_psa_mps2"]
         if drawn:
-            draw_band(response, periods, drawn, ORANGE, "16 %, 50 %, 84 % of their targets", "--")
-        response.plot(periods, np.array(target["psa_mps2"], dtype=float), color=GREEN if drawn else INK, lw=1.2, ls=":" if drawn else "--",
+            draw_band(response, periods, {key: in_unit(values) for key, values in drawn.items()}, ORANGE, "16 %, 50 %, 84 % of their targets", "--")
+        response.plot(periods, in_unit(target["psa_mps2"]), color=GREEN if drawn else INK, lw=1.2, ls=":" if drawn else "--",
                       label=f"target {target['name']}" + (", their median as stated" if drawn else ""))
     response.set_yscale("log")
-    top = max(data["psa_mps2"]["highest"])
-    response.set_ylim(max(min(data["psa_mps2"]["p16"]) / 3, top / 3e4), 2 * top)
-    response.set_ylabel("pseudo-acceleration, m/s²")
+    top = in_unit(max(data["psa_mps2"]["highest"]))
+    response.set_ylim(max(in_unit(min(data["psa_mps2"]["p16"])) / 3, top / 3e4), 2 * top)
+    response.set_ylabel(f"pseudo-acceleration, {style.unit('acceleration')}")
     response.set_title(f"Response, {100 * data['damping']:g} % damping")
     for axes in (energy, response):
         period_axis(axes, periods)

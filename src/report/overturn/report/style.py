@@ -42,22 +42,32 @@ def use():
     })
 
 
-SPEED = {"symbol": "m/s", "si": 1.0}  # in which velocities are shown
+# In which quantities are shown.
+UNITS = {"velocity": {"symbol": "m/s", "si": 1.0}, "acceleration": {"symbol": "m/s2", "si": 1.0},
+         "length": {"symbol": "m", "si": 1.0}, "slip": {"symbol": "mm", "si": 1e-3}, "mass": {"symbol": "t", "si": 1e3}}
 
 
 def told(data):
-    """Takes from a figure's data in which unit it shows velocities; returns the data."""
-    SPEED.update(data.get("velocity_unit", {}))
+    """Takes from a figure's data in which units it shows quantities; returns the data."""
+    UNITS.update(data.get("units", {}))
     return data
 
 
+def shown(quantity, si):
+    """A number of "slip", "mass", ..., or an array of them, in the unit it is shown in."""
+    return si / UNITS[quantity]["si"]
+
+
+def unit(quantity):
+    return UNITS[quantity]["symbol"].replace("2", "²")
+
+
 def speed(mps):
-    """A velocity, or an array of them, in the unit it is shown in."""
-    return mps / SPEED["si"]
+    return shown("velocity", mps)
 
 
 def speed_unit():
-    return SPEED["symbol"]
+    return unit("velocity")
 
 
 def name(figure, text):

@@ -77,14 +77,14 @@ def rotations(results, body, path, confidence=0.95):
 
 def slips(results, body, path):
     """Distribution of the peak slip per level; False if nothing slipped."""
-    slip = body.trials("peak_slip")
+    slip, unit = style.shown("slip", body.trials("peak_slip")), style.unit("slip")
     if not np.any(slip > 0):
         return False
     style.use()
     figure, axes = plt.subplots(figsize=(5.4, 3.1), layout="constrained")
-    least = max(np.min(slip[slip > 0]), min(LEAST_SLIP, 0.1 * np.nanmax(slip)))
+    least = max(np.min(slip[slip > 0]), min(style.shown("slip", LEAST_SLIP), 0.1 * np.nanmax(slip)))
     drawn = by_level(results, body, axes, np.where(np.isfinite(slip), np.maximum(slip, 0.5 * least), np.nan), chosen_levels(body))
-    axes.set(ylim=(0, 1.02), xlabel=f"peak slip [m]; at the left edge: below {style.plain(least, 1)} m", ylabel="share of trials",
+    axes.set(ylim=(0, 1.02), xlabel=f"peak slip [{unit}]; at the left edge: below {style.plain(least, 1)} {unit}", ylabel="share of trials",
              title=f"peak slip{of_levels(body, drawn)}")
     axes.set_xscale("log")
     axes.set_xlim(left=least)

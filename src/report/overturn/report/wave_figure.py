@@ -71,20 +71,20 @@ def draw_response(axes, data):
     damping = f"{100 * data['damping']:g} %"
     target = data.get("target")
     if target:
-        t, psa = np.array(target["period_s"]), np.array(target["psa_mps2"])
+        t, psa = np.array(target["period_s"]), style.shown("acceleration", np.array(target["psa_mps2"]))
         for band in target["bands"]:
             inside = (t >= band["from_s"]) & (t <= band["to_s"])
             axes.fill_between(t[inside], band["lower"] * psa[inside], band["upper"] * psa[inside], color=ORANGE,
                               alpha=0.28, lw=0, label=band["name"])
         axes.plot(t, psa, color=INK, lw=1.0, ls="--", label=f"target {target['name']}")
-    axes.plot(periods, data["psa_mps2"], color=BLUE, lw=1.2, label=f"this wave, {damping}")
+    axes.plot(periods, style.shown("acceleration", np.array(data["psa_mps2"])), color=BLUE, lw=1.2, label=f"this wave, {damping}")
     for component in data["further"]:
         colour, line = FURTHER[component["name"]]
-        axes.plot(periods, component["psa_mps2"], color=colour, lw=0.9, ls=line, label=f"{component['name']} component")
+        axes.plot(periods, style.shown("acceleration", np.array(component["psa_mps2"])), color=colour, lw=0.9, ls=line, label=f"{component['name']} component")
     axes.set_yscale("log")
-    top = max(data["psa_mps2"] + (target["psa_mps2"] if target else []))
-    axes.set_ylim(max(min(data["psa_mps2"]) / 1.5, top / 3e4), 2.2 * top)
-    axes.set_ylabel("pseudo-acceleration, m/s²")
+    top = style.shown("acceleration", max(data["psa_mps2"] + (target["psa_mps2"] if target else [])))
+    axes.set_ylim(max(style.shown("acceleration", min(data["psa_mps2"])) / 1.5, top / 3e4), 2.2 * top)
+    axes.set_ylabel(f"pseudo-acceleration, {style.unit('acceleration')}")
     axes.set_title(f"Response spectrum, {damping} of critical damping", pad=17)
     period_axis(axes, periods)
     axes.legend(loc="lower left")
@@ -128,13 +128,14 @@ def draw_rows(figure, grid, rows, data, bodies):
         axes[row] = figure.add_subplot(grid[place, :], sharex=axes.get("acceleration"))
         axes[row].tick_params(labelbottom=row == rows[-1])
     time = data["time_step_s"] * np.arange(len(data["acceleration_mps2"]))
-    draw_history(axes["acceleration"], time, np.array(data["acceleration_mps2"]), "acceleration", "m/s²",
-                 f"PGA {number(data['pga_mps2'])} m/s² = {number(100 * data['pga_mps2'], 4)} gal")
+    unit = style.unit("acceleration")
+    in_gal = f" = {number(100 * data['pga_mps2'], 4)} gal" if unit == "m/s²" else ""
+    draw_history(axes["acceleration"], time, style.shown("acceleration", np.array(data["acceleration_mps2"])), "acceleration", unit,
+                 f"PGA {number(style.shown('acceleration', data['pga_mps2']))} {unit}{in_gal}")
     axes["acceleration"].set_title(textwrap.fill(data["subtitle"], 125), fontsize=7.5, fontweight="normal", color=GREY)
     for component in data["further"]:
-        values = np.array(component["acceleration_mps2"])
-        draw_history(axes[component["name"]], time, values, component["name"], "m/s²",
-                     f"{number(np.max(np.abs(values)))} m/s²")
+        values = style.shown("acceleration", np.array(component["acceleration_mps2"]))
+        draw_history(axes[component["name"]], time, values, component["name"], unit, f"{number(np.max(np.abs(values)))} {unit}")
     draw_history(axes["velocity"], time, speed(np.array(data["velocity_mps"])), "velocity", style.speed_unit(),
                  f"PGV {number(speed(data['pgv_mps']))} {style.speed_unit()}")
     draw_history(axes["displacement"], time, np.array(data["displacement_m"]), "displacement", "m",

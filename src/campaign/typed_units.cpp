@@ -1,0 +1,113 @@
+#include "campaign/typed_units.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace overturn {
+namespace {
+
+using Unit = std::optional<IntensityUnit>;
+using Source = std::function<Unit()>;
+
+// The unit of that name, if there is one of the dimension; in small letters where it was not written as usual.
+Unit unit_named(std::string_view written, Dimension dimension) {
+    auto symbol = std::string(trimmed(written));
+    auto const usual = ", " + accepted_units(dimension) + ",";
+    if (usual.find(", " + symbol + ",") == std::string::npos) {
+        std::ranges::transform(symbol, symbol.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
+    }
+    return symbol.empty() || usual.find(", " + symbol + ",") == std::string::npos
+               ? std::nullopt
+               : Unit({symbol, unit_factor(symbol, dimension)});
+}
+
+// Of a number that was written as "258 kip".
+Unit unit_of(config::InputValue const& input) {
+    auto const blank = input.text.find(' ');
+    return blank == std::string::npos || input.basis == config::Basis::by_default
+               ? std::nullopt
+               : unit_named(std::string_view(input.text).substr(blank), input.dimension);
+}
+
+// The first number below `place`: "bodies"; below "" everywhere.
+Unit of_keys(CampaignSpec const& spec, Dimension dimension, std::string_view place) {
+    for (auto const& input : spec.inputs) {
+        if (input.dimension == dimension && input.key.starts_with(place)) {
+            if (auto unit = unit_of(input)) {
+                return unit;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+Unit of_levels(LevelSpec const& levels, Dimension dimension) {
+    return levels.dimension() == dimension ? unit_named(levels.stated_unit, dimension) : std::nullopt;
+}
+
+Unit of_limits(CampaignSpec const& spec, Dimension dimension) {
+    auto const found = std::ranges::find_if(spec.limits, [&](LimitState const& limit) {
+        return !limit.shown.symbol.empty() && limit.quantity.units == si_symbol(dimension);
+    });
+    return found == spec.limits.end() ? std::nullopt : unit_named(found->shown.symbol, dimension);
+}
+
+// A target spectrum states the unit of its points by a key of its own.
+Unit of_target(CampaignSpec const& spec, Dimension dimension) {
+    for (auto const& input : spec.inputs) {
+        if (input.key.starts_with("waves.") && input.key.ends_with(".unit")) {
+            if (auto unit = unit_named(input.text, dimension)) {
+                return unit;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+Unit first_of(std::initializer_list<Source> sources) {
+    for (auto const& source : sources) {
+        if (auto unit = source()) {
+            return unit;
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<IntensityUnit> typed_unit(CampaignSpec const& spec, Dimension dimension) {
+    return first_of({[&] { return of_levels(spec.levels, dimension); }, [&] { return of_limits(spec, dimension); },
+                     [&] { return of_keys(spec, dimension, dimension == Dimension::length ? "site" : ""); },
+                     [&] { return of_keys(spec, dimension, "bodies"); }, [&] { return of_target(spec, dimension); }});
+}
+
+TypedUnits typed_units(CampaignSpec const& spec) {
+    TypedUnits units;
+    auto const set = [&](IntensityUnit& unit, Dimension dimension) {
+        unit = typed_unit(spec, dimension).value_or(unit);
+    };
+    set(units.mass, Dimension::mass);
+    set(units.acceleration, Dimension::acceleration);
+    set(units.velocity, Dimension::velocity);
+    set(units.pressure, Dimension::pressure);
+    units.length = of_keys(spec, Dimension::length, "bodies").value_or(units.length);
+    if (auto const distance = typed_unit(spec, Dimension::length); distance) {
+        bool const coarse = distance->symbol == "m" || distance->symbol == "km";
+        units.slip = coarse ? units.slip : distance->symbol == "ft" ? *unit_named("in", Dimension::length) : *distance;
+    }
+    return units;
+}
+
+IntensityUnit shown_unit(CampaignSpec const& spec, std::string const& stored) {
+    auto const units = typed_units(spec);
+    return stored == "m"      ? units.slip
+           : stored == "m/s"  ? units.velocity
+           : stored == "m/s2" ? units.acceleration
+           : stored == "rad"  ? *unit_named("deg", Dimension::angle)
+                              : IntensityUnit{stored};
+}
+
+}  // namespace overturn
