@@ -47,7 +47,25 @@ StatedValues decisive(CampaignInput const& input) {
         return std::ranges::any_of(cover_keys, [&](config::Key const& key) { return is_below(each.first, key.name); });
     });
     values.erase("statistics.confidence");
+    std::erase_if(values, [](auto const& each) { return is_below(each.first, "hazard"); });
     return values;
+}
+
+// "'a.toml'" -> "a.toml"
+std::string unquoted(std::string const& stated) {
+    bool const quoted = stated.size() > 1 && stated.front() == stated.back() && (stated[0] == '\'' || stated[0] == '"');
+    return quoted ? stated.substr(1, stated.size() - 2) : stated;
+}
+
+// Without the file of the hazard curve, which moves neither.
+CampaignInput without_hazard(CampaignInput input) {
+    auto const values = config::stated_values(input.text, input.name, input.settings);
+    for (auto const* const key : {"hazard", "hazard.value"}) {
+        if (auto const stated = values.find(key); stated != values.end()) {
+            input.files.erase(unquoted(stated->second));
+        }
+    }
+    return input;
 }
 
 void add_changes(std::vector<std::string>& found, StatedValues const& before, StatedValues const& now) {
@@ -97,12 +115,6 @@ std::string body_of(std::string const& key, Names const& bodies) {
         }
     }
     return found;
-}
-
-// "'a.toml'" -> "a.toml"
-std::string unquoted(std::string const& stated) {
-    bool const quoted = stated.size() > 1 && stated.front() == stated.back() && (stated[0] == '\'' || stated[0] == '"');
-    return quoted ? stated.substr(1, stated.size() - 2) : stated;
 }
 
 // Takes out what only one of the campaigns has a body for. \return the files that are named there
@@ -167,7 +179,7 @@ std::string CampaignInput::sha256() const {
 }
 
 std::string CampaignInput::block_key() const {
-    Json json = json_of(*this);
+    Json json = json_of(without_hazard(*this));
     json.erase("text");
     json.erase("settings");
     json["values"] = decisive(*this);
@@ -193,7 +205,7 @@ std::vector<std::string> CampaignInput::differences_of_program(CampaignInput con
 std::vector<std::string> CampaignInput::differences(CampaignInput const& other) const {
     auto found = differences_of_program(other);
     add_changes(found, decisive(*this), decisive(other));
-    add_changed_files(found, *this, other);
+    add_changed_files(found, without_hazard(*this), without_hazard(other));
     return found;
 }
 
@@ -208,7 +220,7 @@ std::vector<std::string> CampaignInput::differences_of_rows(CampaignInput const&
     erase_extent(now);
     std::vector<std::string> found;
     add_changes(found, before, now);
-    add_changed_files(found, *this, other, apart);
+    add_changed_files(found, without_hazard(*this), without_hazard(other), apart);
     return found;
 }
 

@@ -226,6 +226,19 @@ void read_neighbour(Table const& root, CampaignSpec& spec) {
     }
 }
 
+// Its file is kept among those of the input (stated_hazard); it decides no row.
+void keep_hazard(Table const& root, InputFiles& files, CampaignSpec const& spec) {
+    auto const name = root.text(campaign_keys["hazard"]);
+    if (name.empty()) {
+        return;
+    }
+    if (spec.is_grid()) {
+        root.fail("hazard",
+                  "of waves on a grid of frequencies (no random sample: no annual frequency follows). Leave it out");
+    }
+    root.located("hazard", [&] { (void)files.read(name); });
+}
+
 CampaignSpec read_campaign(Table const& root, CampaignInput const& input, InputFiles& files) {
     CampaignSpec spec;
     read_apart(root, files, spec);
@@ -239,6 +252,7 @@ CampaignSpec read_campaign(Table const& root, CampaignInput const& input, InputF
     waves.located("acceptance", [&] { validate_bands(*spec.source, spec.bodies, spec.measures.radius_unit); });
     spec.rare = read_rare(root, spec.levels, *spec.source);
     read_neighbour(root, spec);
+    keep_hazard(root, files, spec);
     auto const statistics = root.child_or_empty(campaign_keys["statistics"]);
     spec.confidence = statistics.number(statistics_keys["confidence"]);
     spec.limits = read_limits(root, statistics,

@@ -100,15 +100,13 @@ void write_head(StudyText& out, std::string const& name, StudyAnswers const& a) 
     out.line("# What was not stated stands behind \"assumed\". State it where you know better.");
     out.line(fmt::format("# Look at it: overturn plan {}", as_argument(name)));
     out.line(fmt::format("# Run it: overturn run {}", as_argument(name)));
-    auto const hazard = a.hazard ? " --hazard " + as_argument(*a.hazard) : std::string();
-    out.line(fmt::format("# Read it: overturn fit {}{}; overturn report {}{} -o {}", as_argument(results), hazard,
-                         as_argument(results), hazard, as_argument(page)));
-    if (!a.hazard) {
-        out.line("# assumed: no annual frequencies, because no hazard curve was stated (fit --hazard CURVE.csv)");
-    }
+    out.line(fmt::format("# Read it: overturn fit {}; overturn report {} -o {}", as_argument(results),
+                         as_argument(results), as_argument(page)));
     out.line("");
     out.state("title", quoted(fmt::format("Cask of {}, design basis {}", *a.mass, *a.design_basis)));
     out.state("seed", "1");
+    a.hazard ? out.state("hazard", quoted(*a.hazard))
+             : out.leave_out("hazard = \"curve.csv\"", "no annual frequencies, because no hazard curve was stated");
 }
 
 void write_target(StudyText& out, StudyAnswers const& a) {

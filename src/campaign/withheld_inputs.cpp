@@ -41,9 +41,11 @@ bool keeps_hashes_only(config::Table const& root) {
 
 std::map<std::string, std::string> kept_inputs(CampaignInput const& input) {
     auto files = input.files;
-    if (keeps_hashes_only(config::Table::parse(input.text, input.name, input.settings))) {
+    auto const root = config::Table::parse(input.text, input.name, input.settings);
+    if (keeps_hashes_only(root)) {
+        auto const hazard = root.text("hazard", "");
         for (auto& [name, content] : files) {
-            content = name.ends_with(".toml") ? content : stands_for(content);
+            content = name.ends_with(".toml") || name == hazard ? content : stands_for(content);
         }
     }
     return files;

@@ -16,7 +16,11 @@
 
 namespace overturn::cli {
 
-HazardCurve hazard_of_campaign(std::string const& path, CampaignSpec const& spec) {
+std::optional<HazardCurve> hazard_of_campaign(std::string const& path, CampaignInput const& input,
+                                              CampaignSpec const& spec) {
+    if (path.empty()) {
+        return stated_hazard(input, spec.levels);
+    }
     validate(!spec.is_grid(),
              "--hazard for waves on a grid of frequencies (no random sample: nothing happens so often a year). "
              "Leave it out");
@@ -24,13 +28,18 @@ HazardCurve hazard_of_campaign(std::string const& path, CampaignSpec const& spec
     return parse_hazard(files.read(path), path, spec.levels);
 }
 
-std::vector<BodyFrequency> add_frequencies(std::string const& path, CampaignSpec const& spec,
-                                           Statistics const& statistics, std::vector<BodyAnalysis> const& analysis,
-                                           double confidence, Json& data) {
-    auto const hazard = hazard_of_campaign(path, spec);
+std::vector<BodyFrequency> add_frequencies(std::string const& path, CampaignInput const& input,
+                                           CampaignSpec const& spec, Statistics const& statistics,
+                                           std::vector<BodyAnalysis> const& analysis, double confidence, Json& data) {
+    auto const stated = hazard_of_campaign(path, input, spec);
+    if (!stated) {
+        return {};
+    }
+    auto const& hazard = *stated;
     auto frequencies = frequencies_of(spec, statistics, analysis, hazard, confidence);
     data["fit"].update(output::json_of(output::frequency_tables(spec.levels.units(), frequencies, hazard, confidence)));
-    data["facts"].push_back({"hazard curve", fmt::format("{}: {}", path, output::range_text(hazard))});
+    data["facts"].push_back(
+        {"hazard curve", fmt::format("{}: {}", path.empty() ? hazard_file(input) : path, output::range_text(hazard))});
     auto notes = Json::array();
     for (auto const& remark : hazard.remarks()) {
         notes.push_back(fmt::format("Hazard curve: {}.", remark));

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "campaign/typed_units.hpp"
 #include "campaign/version.hpp"
 #include "campaign/warnings.hpp"
 #include "campaign/withheld_inputs.hpp"
@@ -104,16 +105,15 @@ struct Fitted {
 };
 
 // \param file null: there is none yet, and what needs its rows is left out
-// \param withheld the records may be missing, of which a note says that nothing is checked by hand
 Fitted fitted(FitOptions const& options, output::TextOptions const& text, store::ResultsReader const* file,
-              CampaignSpec const& spec, Statistics const& statistics, bool withheld) {
+              CampaignInput const& input, CampaignSpec const& spec, Statistics const& statistics) {
     double const confidence = options.confidence.value_or(spec.confidence);
     Fitted all{.confidence = confidence,
                .analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u}),
                .rare = file == nullptr ? std::vector<RareBody>{} : read_rare_estimates(*file, spec)};
-    tell_velocities(all.analysis, text.velocities);
-    if (!options.hazard.empty()) {
-        all.hazard = hazard_of_campaign(options.hazard, spec);
+    tell_velocities(all.analysis, text.velocities ? text.velocities : typed_unit(spec, Dimension::velocity));
+    all.hazard = hazard_of_campaign(options.hazard, input, spec);
+    if (all.hazard) {
         all.frequencies = frequencies_of(spec, statistics, all.analysis, *all.hazard, confidence);
     }
     if (file != nullptr) {
@@ -122,7 +122,7 @@ Fitted fitted(FitOptions const& options, output::TextOptions const& text, store:
             all.telling = telling_trials(spec, *file);
         }
     }
-    if (options.json || text.wants("hand") || withheld) {  // it makes waves
+    if (options.json || text.wants("hand") || has_withheld(input)) {  // it makes waves
         all.by_hand = hand_checks(spec);
     }
     if (!options.measures.empty()) {
@@ -205,7 +205,7 @@ int fit_file(FitOptions const& options) {
     auto const statistics = recount(file, spec);
     bool const changed = options.unverified.warn_if_changed(file, options.file);
     bool const withheld = has_withheld(input);
-    auto const all = fitted(options, text, &file, spec, statistics, withheld);
+    auto const all = fitted(options, text, &file, input, spec, statistics);
     if (options.json) {
         print_fitted_json(all, spec, statistics, changed);
     } else {
@@ -220,7 +220,7 @@ int fit_interim(FitOptions const& options) {
     validate(!text.names("trials"), "--section trials of an unfinished run (its rows lie in blocks). Leave it out");
     auto const now = interim_results(options.file);
     auto const& spec = *now.spec;
-    auto const all = fitted(options, text, nullptr, spec, now.statistics, has_withheld(now.input));
+    auto const all = fitted(options, text, nullptr, now.input, spec, now.statistics);
     if (options.json) {
         print_fitted_json(all, spec, now.statistics, false,
                           {{"waves", now.waves},
@@ -254,7 +254,8 @@ void add_fit(CommandLine& line) {
     verb.takes("--design-basis", options->design_basis,
                "with --stripes: quote P at multiples of this amplitude, '0.3 g'");
     verb.takes("--hazard", options->hazard,
-               "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv)");
+               "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv); default: the "
+               "campaign's");
     verb.takes("--measures", options->measures, "also fit a curve over two measures: pga,v_wes");
     options->text.offered_by(verb);
     options->unverified.offered_by(verb);

@@ -16,11 +16,11 @@
 #include "campaign/study_answers.hpp"
 #include "campaign/study_text.hpp"
 #include "campaign/warnings.hpp"
-#include "cli/campaign_hazard.hpp"
 #include "cli/scene_files.hpp"
 #include "cli/verbs.hpp"
 #include "config/suggestion.hpp"
 #include "core/print_note.hpp"
+#include "results/hazard_table.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::cli {
@@ -149,9 +149,7 @@ int write_study(NewOptions const& options) {
         throw InputError(fmt::format("new: nothing was written, because plan would refuse it: {}", error.what()));
     }
     auto const spec = parse_campaign(input);
-    if (answers.hazard) {
-        (void)hazard_of_campaign(*answers.hazard, spec);
-    }
+    (void)stated_hazard(input, spec.levels);
     auto const bytes = std::as_bytes(std::span(input.text));
     if (options.force) {
         store::write_durably(path, bytes);

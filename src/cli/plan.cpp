@@ -21,9 +21,11 @@
 #include "core/elapsed.hpp"
 #include "core/error.hpp"
 #include "core/wrapped.hpp"
+#include "output/frequency_text.hpp"
 #include "output/shown_levels.hpp"
 #include "output/stripe_text.hpp"
 #include "output/waves_text.hpp"
+#include "results/hazard_table.hpp"
 #include "results/statistics.hpp"
 #include "runner/probe.hpp"
 #include "runner/progress.hpp"
@@ -107,6 +109,7 @@ std::vector<std::int64_t> asked_ranks(PlanOptions const& options) {
 int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& drawn, double start_s,
                     PlanOptions const& options) {
     auto const plan = drawn.without_refusals();
+    auto const hazard = stated_hazard(input, spec.levels);
     Json json{{"title", spec.title},
               {"waves", plan.waves()},
               {"trials", plan.trials()},
@@ -118,6 +121,7 @@ int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& 
               {"bodies", bodies_json(spec)},
               {"levels", planned_levels_json(spec.levels)},
               {"limits", planned_limits_json(spec)},
+              {"hazard", hazard ? Json(hazard_file(input)) : Json()},
               {"effects", names_of_effects(spec.effects.include)},
               {"validated", validated_range_text(spec, spec.bodies.size())},
               {"rare_max_waves", spec.rare ? Json(spec.rare->max_runs) : Json()},
@@ -161,7 +165,7 @@ void print_records(CampaignSpec const& spec, bool full) {
 }
 
 // What is asked: waves, bodies, levels, limits, and what is hardly meant or assumed.
-void print_scene(CampaignSpec const& spec, Plan const& plan, PlanOptions const& options) {
+void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan, PlanOptions const& options) {
     constexpr std::size_t most_bodies = 8;
     constexpr std::size_t most_outside = 2;
     auto const count = [](std::size_t n, char const* one, char const* more) {
@@ -177,6 +181,9 @@ void print_scene(CampaignSpec const& spec, Plan const& plan, PlanOptions const& 
                bodies_text(spec, options.unit.of_campaign(spec), options.full ? spec.bodies.size() : most_bodies));
     print_levels(spec.levels);
     print_limits(spec);
+    if (auto const hazard = stated_hazard(input, spec.levels)) {
+        print_entry("hazard", fmt::format("{}: {}", hazard_file(input), output::range_text(*hazard)));
+    }
     print_entry("validated", validated_range_text(spec, options.full ? spec.bodies.size() : most_outside));
     fmt::print("{}", assumptions_lines(spec, options.full));
     for (auto const& line : warnings_of(spec)) {
@@ -216,7 +223,7 @@ int plan_campaign(PlanOptions const& options) {
         return print_plan_json(input, spec, plan, start_s, options);
     }
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
-    print_scene(spec, plan.without_refusals(), options);
+    print_scene(input, spec, plan.without_refusals(), options);
     auto const cost = print_probe(spec, plan, options.full);
     double const all = cost.counted_wave_s() * static_cast<double>(plan.asked());
     if (spec.rare) {

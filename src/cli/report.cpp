@@ -232,9 +232,7 @@ int write_report(ReportOptions const& options) {
     data["method"] = method_of(spec);
     add_stated_facts(options, confidence, data);
     add_cover(options, spec, data);
-    auto const frequencies = options.hazard.empty()
-                                 ? std::vector<BodyFrequency>{}
-                                 : add_frequencies(options.hazard, spec, statistics, analysis, confidence, data);
+    auto const frequencies = add_frequencies(options.hazard, input, spec, statistics, analysis, confidence, data);
     output::Answered const answered{.spec = spec,
                                     .statistics = statistics,
                                     .analysis = analysis,
@@ -274,7 +272,8 @@ void add_report(CommandLine& line) {
                "what became of real bodies under these motions (wave, motion, a column of 0 and 1 named as a body)",
                "TABLE.csv");
     verb.takes("--hazard", options->hazard,
-               "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv)");
+               "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv); default: the "
+               "campaign's");
     verb.takes("--record", options->records,
                "list this check among those made: what verify, qualify or cost wrote with --json; may be repeated",
                "CHECK.json");

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/outward.hpp"
+#include "core/wrapped.hpp"
 #include "output/interval_text.hpp"
 
 namespace overturn::output {
@@ -99,14 +101,26 @@ void add_seen(std::vector<std::string>& notes, BodyFrequency const& f, HazardCur
     }
 }
 
-std::string row_of(BodyFrequency const& f, std::size_t width) {
-    auto const fractiles =
-        f.fractiles ? fmt::format("{:.3g}, {:.3g}, {:.3g}", f.fractiles->low, f.fractiles->median, f.fractiles->high)
-                    : std::string("beta_U unknown");
+constexpr std::size_t name_width = 24;
+
+// A longer name has a line of its own.
+std::string row_of(BodyFrequency const& f) {
+    auto name = frequency_name(f);
+    std::string text;
+    if (name.size() > name_width) {
+        text = name + '\n';
+        name.clear();
+    }
+    auto const ends = f.mean ? f.interval : f.seen;
     auto const seen = f.stated ? std::string("no trials") : interval_text(f.seen);
-    return fmt::format("{:>{}} {:>24} {:>11} {:>13} {:>30} {:>24}\n", frequency_name(f), width,
-                       interval_text(f.mean ? f.interval : f.seen), f.mean ? fmt::format("{:.3g}", mean_of(f)) : "-",
-                       f.mean ? fmt::format("{:.2g}", f.extrapolated()) : "no curve", f.mean ? fractiles : "-", seen);
+    text += fmt::format("{:<{}} {:>22} {:>11} {:>12} {:>22}\n", name, name_width,
+                        lacks_beta_u(f) ? fmt::format("> {:.3g}", rounded_down(ends.lower)) : interval_text(ends),
+                        f.mean ? fmt::format("{:.3g}", mean_of(f)) : "-",
+                        f.mean ? fmt::format("{:.2g}", f.extrapolated()) : "no curve", seen);
+    return text
+           + (f.fractiles ? fmt::format("  by the curves at 5, 50, 95 % confidence: {:.3g}, {:.3g}, {:.3g}\n",
+                                        f.fractiles->low, f.fractiles->median, f.fractiles->high)
+                          : std::string());
 }
 
 }  // namespace
@@ -117,10 +131,19 @@ std::string frequency_name(BodyFrequency const& f) {
                : fmt::format("{}, {}", f.body, f.said.empty() ? f.limit : f.said);
 }
 
+bool lacks_beta_u(BodyFrequency const& f) { return f.mean && !f.fractiles; }
+
 std::vector<std::string> frequency_notes(BodyFrequency const& f, HazardCurve const& hazard) {
     std::vector<std::string> notes;
+    if (lacks_beta_u(f)) {
+        notes.emplace_back(
+            "no upper end, because beta_U is not known (--beta-u): uncertain properties of the body make the limit "
+            "state more frequent");
+    }
     if (f.mean) {
-        add_parts(notes, f, hazard);
+        if (!lacks_beta_u(f)) {
+            add_parts(notes, f, hazard);
+        }
         add_mean(notes, f, hazard);
         add_trust(notes, f);
     }
@@ -136,22 +159,18 @@ std::string range_text(HazardCurve const& hazard) {
 
 std::string frequency_text(std::span<BodyFrequency const> frequencies, HazardCurve const& hazard, double confidence) {
     bool const stated = std::ranges::all_of(frequencies, &BodyFrequency::stated);
-    auto text = fmt::format("\nannual frequency [1/a], by a hazard curve of {}\n", range_text(hazard));
+    auto text =
+        "\n" + wrapped("annual frequency [1/a], by a hazard curve of " + range_text(hazard), 2);
     for (auto const& remark : hazard.remarks()) {
-        text += fmt::format("  note: hazard curve: {}\n", remark);
+        text += wrapped("note: hazard curve: " + remark, 4, line_width, "  ");
     }
-    std::size_t width = 24;
-    for (auto const& f : frequencies) {
-        width = std::max(width, frequency_name(f).size());
-    }
-    text += fmt::format("{:>{}} {:>24} {:>11} {:>13} {:>30} {:>24}\n", "body, limit state", width,
+    text += fmt::format("{:<{}} {:>22} {:>11} {:>12} {:>22}\n", "body, limit state", name_width,
                         stated ? std::string("bounds") : fmt::format("{:g} % interval", 100 * confidence), "by curve",
-                        "extrapolated", "confidence 5, 50, 95 %", "stripes alone");
+                        "extrapolated", "stripes alone");
     for (auto const& f : frequencies) {
-        text += row_of(f, width);
+        text += row_of(f);
         for (auto const& note : frequency_notes(f, hazard)) {
-            text += f.body.empty() ? fmt::format("  note: {}\n", note)
-                                   : fmt::format("  note: {}: {}\n", frequency_name(f), note);
+            text += wrapped("note: " + note, 4, line_width, "  ");
         }
     }
     return text;

@@ -1,9 +1,11 @@
 /// Hazard curves as tables of two columns: what is exceeded, and how often in a year.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
+#include "campaign/campaign_input.hpp"
 #include "campaign/level_spec.hpp"
 #include "core/units.hpp"
 #include "stats/hazard.hpp"
@@ -32,6 +34,11 @@ struct HazardAxis {
                                               LevelSpec const& levels) {
     return parse_hazard(content, name, hazard_axis(levels));
 }
+
+/// Name of the file of the hazard curve that the campaign states; empty: it states none.
+[[nodiscard]] std::string hazard_file(CampaignInput const& input);
+/// That curve; none: it states none. \throws InputError as parse_hazard
+[[nodiscard]] std::optional<HazardCurve> stated_hazard(CampaignInput const& input, LevelSpec const& levels);
 
 /// An intensity in the unit that the hazard curve states.
 [[nodiscard]] std::string hazard_text(HazardCurve const& hazard, double intensity);

@@ -5,10 +5,13 @@
 
 #include <fmt/format.h>
 
+#include "campaign/typed_units.hpp"
 #include "core/print_note.hpp"
 #include "output/write_results.hpp"
 #include "results/analysis.hpp"
 #include "results/few_waves.hpp"
+#include "results/hazard_frequency.hpp"
+#include "results/hazard_table.hpp"
 #include "results/rare_results.hpp"
 #include "results/recount.hpp"
 #include "results/statistics.hpp"
@@ -88,14 +91,25 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
         return std::nullopt;
     }
     shards.remove();
-    tell_velocities(analysis, options.velocities);
+    tell_velocities(analysis, options.velocities ? options.velocities : typed_unit(spec, Dimension::velocity));
     store::ResultsReader const file(output, store::Trust::unverified);
     auto const telling = options.wants("trials") ? telling_trials(spec, file) : std::vector<TellingTrial>{};
     auto const few = trials_of_few_waves(spec, file);
-    output::Answered const answered{
-        .spec = spec, .statistics = statistics, .analysis = analysis, .confidence = spec.confidence};
-    return output::results_text(
-        {.answered = answered, .few = few, .rare = rare, .telling = telling, .file = output.string()}, options);
+    auto const hazard = stated_hazard(input, spec.levels);
+    auto const frequencies =
+        hazard ? frequencies_of(spec, statistics, analysis, *hazard, spec.confidence) : std::vector<BodyFrequency>{};
+    output::Answered const answered{.spec = spec,
+                                    .statistics = statistics,
+                                    .analysis = analysis,
+                                    .confidence = spec.confidence,
+                                    .frequencies = frequencies};
+    return output::results_text({.answered = answered,
+                                 .few = few,
+                                 .rare = rare,
+                                 .telling = telling,
+                                 .hazard = hazard ? &*hazard : nullptr,
+                                 .file = output.string()},
+                                options);
 }
 
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output, std::string_view flag) {

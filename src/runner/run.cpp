@@ -14,6 +14,7 @@
 #include "core/print_note.hpp"
 #include "output/stripe_text.hpp"
 #include "parallel/rows_of_ranks.hpp"
+#include "results/hazard_table.hpp"
 #include "runner/detail/extension.hpp"
 #include "runner/detail/part_plan.hpp"
 #include "runner/detail/rare_run.hpp"
@@ -64,6 +65,7 @@ class Run {
           shards_(options.output, input.block_key()) {}
 
     RunEnd run() {
+        (void)stated_hazard(input_, spec_.levels);  // what is wrong with it is better known now than at the end
         validate(!spec_.rare || options_.part.is_whole(),
                  "--part {}/{} of a campaign with [rare] (its stages need what all parts found before). Run it whole, "
                  "under mpirun",

@@ -1,6 +1,8 @@
 // Requirement: `fit` gives annual frequencies of anybody's stripes and of a stated curve, bounded where
 // hazard curve or levels end; units are demanded.
 #include <cmath>
+#include <filesystem>
+#include <sstream>
 
 #include <nlohmann/json.hpp>
 
@@ -126,6 +128,59 @@ TEST_F(HazardOfTables, WhatIsHardlyMeantIsALine) {
     EXPECT_NE(often.find("note: hazard curve: it begins at 1e+03 exceedances a year"), std::string::npos) << often;
     EXPECT_EQ(answer({"--stripes", "t.csv", "--hazard", "often.csv"})["hazard_notes"].size(), 1U);
     EXPECT_EQ(answer({"--stripes", "t.csv", "--hazard", "two.csv"})["hazard_notes"].size(), 0U);
+}
+
+// a campaign states its own hazard curve; fit and report take another one in its place.
+TEST(HazardOfCampaign, AnswersAnnualFrequencies) {
+    Folder const folder;
+    std::string const curve = "pga [g], annual_exceedance\n0.05,1e-2\n0.5,2.5e-5\n2.0,3e-7\n";
+    folder.write("hz.csv", curve);
+    folder.write("rarer.csv", "pga [g], annual_exceedance\n0.05,1e-3\n0.5,2.5e-6\n2.0,3e-8\n");
+    folder.write("pgv.csv", "pgv [m/s], annual_exceedance\n0.05,1e-3\n0.5,2.5e-6\n");
+    folder.write("target.csv", target_csv);
+    auto campaign = small_campaign("shared", 12);
+    std::string const scatter = "restitution={distribution='lognormal',median=0.85,beta=0.1}\n";
+    campaign.erase(campaign.find(scatter), scatter.size());
+    campaign.insert(campaign.find("[levels]"),
+                    "[[bodies]]\nname='a third body, with a name wider than its column'\nmass='12.6 t'\n"
+                    "base_width='0.8 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n");
+    folder.write("c.toml", "hazard='hz.csv'\n" + campaign);
+    auto const ran = overturn(folder, {"run", "c.toml"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    auto const fitted = overturn(folder, {"fit", "c.h5"}).out;
+    EXPECT_EQ(ran.out, fitted + "results: c.h5\n");
+    std::filesystem::remove(folder / "hz.csv");
+    EXPECT_EQ(overturn(folder, {"fit", "c.h5"}).out, fitted) << "the file holds the curve";
+    auto const frequencies = fitted.substr(fitted.find("annual frequency [1/a]"));
+    std::istringstream lines(fitted);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 100U) << line;
+    }
+    // Without beta_U a curve gives no upper end; what the stripes alone give stands apart.
+    EXPECT_NE(frequencies.find("\ntype-b                               > "), std::string::npos) << frequencies;
+    EXPECT_NE(frequencies.find("no upper end, because beta_U is not known (--beta-u)"), std::string::npos)
+        << frequencies;
+    EXPECT_NE(overturn(folder, {"fit", "c.h5", "--beta-u", "0.3"}).out.find("at 5, 50, 95 % confidence: "),
+              std::string::npos);
+    auto const upper = [&](std::vector<std::string> const& more) {
+        auto const json = json::parse(overturn(folder, joined({"fit", "c.h5", "--json"}, more)).out);
+        return json.at("frequency").at(0).at("stripes_alone_upper_per_year").get<double>();
+    };
+    EXPECT_NEAR(upper({}) / upper({"--hazard", "rarer.csv"}), 10, 1e-6) << "frequencies of a tenth";
+
+    // It moves no trial: another curve keeps all of them. What is wrong with it is known before any is computed.
+    folder.write("hz.csv", curve + "4.0,3e-8\n");
+    auto const verified = overturn(folder, {"verify", "c.h5", "--sample", "3"});
+    EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
+    auto const extended = overturn(folder, {"run", "c.toml", "--extend", "--set", "waves.count=13"});
+    EXPECT_EQ(extended.code, 0) << extended.err;
+    EXPECT_NE(extended.err.find("blocks are taken"), std::string::npos) << extended.err;
+    for (auto const* verb : {"plan", "run"}) {
+        auto const refused = overturn(folder, {verb, "c.toml", "--set", "hazard=pgv.csv"});
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_TRUE(is_one_error_line(refused.err)) << refused.err;
+        EXPECT_NE(refused.err.find("pgv.csv:1: "), std::string::npos) << refused.err;
+    }
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ TEST_F(New, FilesAreNamedFromTheCampaign) {
     ASSERT_EQ(overturn(folder, arguments).code, 0);
     auto const text = folder.read("studies/s.toml");
     EXPECT_NE(text.find("folder = \"../records\"\nfiles = [\"a.csv\", \"b.csv\"]\n"), std::string::npos) << text;
-    EXPECT_NE(text.find(" --hazard ../hazard.csv"), std::string::npos) << text;
+    EXPECT_NE(text.find("\nhazard = \"../hazard.csv\"\n"), std::string::npos) << text;
     EXPECT_EQ(overturn(folder, {"plan", "studies/s.toml"}).code, 0);
 }
 

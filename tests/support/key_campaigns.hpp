@@ -13,6 +13,7 @@ inline std::map<std::string, std::string> key_campaign_files() {
             {"sa.json", R"({"a": {"periods": [0.1, 10], "ordinates": [0.3, 0.1]}, "b": {"periods": [0.1, 10],
                          "ordinates": [0.2, 0.1]}})"},
             {"psd.csv", "0.1,1\n10,1\n"},
+            {"hazard.csv", "pga [g], annual_exceedance\n0.05,1e-2\n2,1e-6\n"},
             {"r/a.csv", "0,0\n0.01,10\n0.02,-20\n0.03,0\n0.04,4\n0.05,-3\n"},
             {"r/b.csv", "0,0\n0.01,1\n0.02,2\n0.03,0\n0.04,1\n0.05,0\n"},
             {"body.toml",
@@ -97,7 +98,7 @@ inline std::vector<std::string> key_campaigns() {
                     "both_radius_units=true\nwindow='running'\nsa_periods=[1.0,2.0]\nsa_band=[1,2]\ncurves=['cav']\n[accuracy]\n"
                     "restoring='nonlinear'\n"
                     "contact_step=0.3\npanel_phase=10\n");
-    all.push_back("title='t'\nquestion='q?'\nprepared='p'\nchecked='c'\napproved='a'\nrevision='0'\ninputs='stored'\nseed=1\n" + noise + "model='kanai-tajimi'\n" + usual
+    all.push_back("title='t'\nquestion='q?'\nprepared='p'\nchecked='c'\napproved='a'\nrevision='0'\nhazard='hazard.csv'\ninputs='stored'\nseed=1\n" + noise + "model='kanai-tajimi'\n" + usual
                   + "friction=0.5\n[effects]\nmode='auto'\n[statistics]\nconfidence=0.9\ntarget_half_width=0.1\n"
                     "target_median_half_width=0.1\n[[limits]]\nname='a'\nquantity='peak_slip'\nabove='0.1 m'\n"
                     "overturned='excluded'\ntarget_half_width=0.2\n[[limits]]\nname='b'\nquantity='peak_slip'\nbelow='0.1 m'\n"

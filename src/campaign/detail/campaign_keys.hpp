@@ -109,6 +109,7 @@ inline constexpr config::Keys campaign_keys{
     config::text_key("checked", "who checked it").optional(),
     config::text_key("approved", "who approved it").optional(),
     config::text_key("revision", "of the calculation, for the cover of its page").optional(),
+    config::text_key("hazard", "file (csv) of the seismic hazard curve, for annual frequencies").optional(),
     config::integer_key("seed", 0, std::numeric_limits<std::int64_t>::max(), "of all random numbers"),
     inputs_key,
     config::table_key("waves", &wave_tables, "what shakes the bodies"),
