@@ -95,7 +95,7 @@ Fields fields_of_waves() {
                                        "most adjacent periods below the target, 100 a decade"),
         field<&W::match_worst_decade>("match_worst_decade", "1", "largest mean misfit over any decade of periods"),
         field<&W::si_ratio>("si_ratio", "1",
-                            "spectral intensity over that of the target, 0.1 s to 2.5 s; 0: not covered"),
+                            "spectral intensity over that of the target, 0.1 s to 2.5 s; NaN: not covered"),
         field<&W::psd_lowest_ratio>(
             "psd_lowest_ratio", "1",
             "min of power spectral density over the one that fits the target, 20 % windows, 0.3 to 24 Hz"),

@@ -47,6 +47,7 @@ PreparedWave prepare_wave(CampaignSpec const& spec, Plan const& plan, std::int64
     prepared.number = wave;
     auto const id = plan.wave_id(wave);
     prepared.row.id = id;
+    describe_match(prepared.row, {});  // compared with nothing yet
     prepared.measures.resize(spec.bodies.size());
     auto const drawn_for = plan.drawn_for(spec, wave);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {

@@ -163,11 +163,25 @@ TEST(TrialPurity, TransverseMotionIsReportedAndCallsForSpaceWhereItIsStrong) {
         EXPECT_EQ(has(static_cast<EffectMask>(there.called), Effect::vertical), shaken);
     }
     EXPECT_EQ(row.vertical_pga_mps2, without.row.vertical_pga_mps2);
-    EXPECT_EQ(without.row.transverse_match_mean_misfit, 0);
+    EXPECT_TRUE(std::isnan(without.row.transverse_match_mean_misfit)) << "there is no such component";
+    EXPECT_TRUE(std::isnan(without.row.transverse_match.lowest_ratio));
+    EXPECT_GT(row.transverse_match.lowest_ratio, 0);
     EXPECT_GT(row.transverse_pga_mps2, 0);
     EXPECT_GT(row.transverse_match_mean_misfit, 0);
     EXPECT_GE(row.transverse_match_worst_decade, row.transverse_match_mean_misfit);
     EXPECT_NE(row.transverse_match_mean_misfit, row.vertical_match_mean_misfit);
+}
+
+// a wave that follows no target has no figures of a match, rather than zeros.
+TEST(TrialPurity, WhatWasComparedWithNoTargetHasNoFiguresOfAMatch) {
+    auto const steady = prepared(campaign_from("[waves]\nsource='harmonic'\namplitude='100 gal'\nperiod=1\ncycles=5\n"
+                                               + testing::type_b + testing::levels("values=[4,6]\n")),
+                                 0);
+    for (double const figure :
+         {steady.row.match_mean_misfit, steady.row.match_lowest_ratio, steady.row.match_worst_decade,
+          steady.row.si_ratio, steady.row.psd_lowest_ratio, steady.measures.at(0).band_mean_misfit}) {
+        EXPECT_TRUE(std::isnan(figure)) << figure;
+    }
 }
 
 TEST(TrialPurity, MoreWaves) { expect_same_trials(campaign_from(with_count(small_campaign, 900)), 0, {0, 1}); }

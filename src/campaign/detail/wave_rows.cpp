@@ -14,14 +14,24 @@
 namespace overturn {
 namespace {
 
+// A wave, or a component of it, that was compared with no target has no figures of a match.
+bool was_compared(MatchFigures const& figures) { return figures.mean_ratio > 0; }
+double if_compared(MatchFigures const& figures, double value) { return was_compared(figures) ? value : never; }
+
+// A ratio of spectra that do not cover what it is taken over.
+double if_covered(double ratio) { return ratio > 0 ? ratio : never; }
+
 ComponentMatch match_of(MatchReport const& match) {
+    if (!was_compared(match.all)) {
+        return {never, never, never, never, never, never, never, never, never};
+    }
     return {.lowest_ratio = match.all.lowest_ratio,
             .lowest_period_s = match.all.lowest_period_s,
             .highest_ratio = match.all.highest_ratio,
             .highest_period_s = match.all.highest_period_s,
             .longest_below = static_cast<double>(match.all.longest_below),
             .longest_below_to_s = match.all.longest_below_to_s,
-            .si_ratio = match.intensity_ratio,
+            .si_ratio = if_covered(match.intensity_ratio),
             .ratio_cov = match.all.cov,
             .mean_ratio = match.all.mean_ratio};
 }
@@ -39,29 +49,29 @@ void describe_match(WaveRow& row, GeneratedWave const& wave) {
     auto const& match = wave.match;
     row.matched = match.matched ? 1 : 0;
     row.match_iterations = match.iterations;
-    row.match_mean_misfit = match.all.mean_misfit;
-    row.match_max_misfit = match.all.max_misfit;
-    row.match_max_misfit_period_s = match.all.max_misfit_period_s;
-    row.match_mean_ratio = match.all.mean_ratio;
-    row.match_ratio_cov = match.all.cov;
-    row.match_long_mean_misfit = match.long_period.mean_misfit;
-    row.match_long_max_misfit = match.long_period.max_misfit;
-    row.match_lowest_ratio = match.all.lowest_ratio;
-    row.match_highest_ratio = match.all.highest_ratio;
-    row.match_lowest_period_s = match.all.lowest_period_s;
-    row.match_highest_period_s = match.all.highest_period_s;
+    row.match_mean_misfit = if_compared(match.all, match.all.mean_misfit);
+    row.match_max_misfit = if_compared(match.all, match.all.max_misfit);
+    row.match_max_misfit_period_s = if_compared(match.all, match.all.max_misfit_period_s);
+    row.match_mean_ratio = if_compared(match.all, match.all.mean_ratio);
+    row.match_ratio_cov = if_compared(match.all, match.all.cov);
+    row.match_long_mean_misfit = if_compared(match.long_period, match.long_period.mean_misfit);
+    row.match_long_max_misfit = if_compared(match.long_period, match.long_period.max_misfit);
+    row.match_lowest_ratio = if_compared(match.all, match.all.lowest_ratio);
+    row.match_highest_ratio = if_compared(match.all, match.all.highest_ratio);
+    row.match_lowest_period_s = if_compared(match.all, match.all.lowest_period_s);
+    row.match_highest_period_s = if_compared(match.all, match.all.highest_period_s);
     row.match_longest_below = match.all.longest_below;
-    row.match_longest_below_to_s = match.all.longest_below_to_s;
+    row.match_longest_below_to_s = if_compared(match.all, match.all.longest_below_to_s);
     row.transverse_match = match_of(wave.transverse_match);
     row.vertical_match = match_of(wave.vertical_match);
-    row.match_worst_decade = match.worst_decade;
-    row.si_ratio = match.intensity_ratio;
-    row.psd_lowest_ratio = match.psd_lowest_ratio;
-    row.psd_lowest_hz = match.psd_lowest_hz;
-    row.transverse_match_mean_misfit = wave.transverse_match.all.mean_misfit;
-    row.transverse_match_worst_decade = wave.transverse_match.worst_decade;
-    row.vertical_match_mean_misfit = wave.vertical_match.all.mean_misfit;
-    row.vertical_match_worst_decade = wave.vertical_match.worst_decade;
+    row.match_worst_decade = if_compared(match.all, match.worst_decade);
+    row.si_ratio = if_covered(match.intensity_ratio);
+    row.psd_lowest_ratio = if_covered(match.psd_lowest_ratio);
+    row.psd_lowest_hz = if_covered(match.psd_lowest_hz);
+    row.transverse_match_mean_misfit = if_compared(wave.transverse_match.all, wave.transverse_match.all.mean_misfit);
+    row.transverse_match_worst_decade = if_compared(wave.transverse_match.all, wave.transverse_match.worst_decade);
+    row.vertical_match_mean_misfit = if_compared(wave.vertical_match.all, wave.vertical_match.all.mean_misfit);
+    row.vertical_match_worst_decade = if_compared(wave.vertical_match.all, wave.vertical_match.worst_decade);
 }
 
 void describe_motion(WaveRow& row, GroundMotion const& motion, Intensity const& intensity) {
@@ -126,10 +136,10 @@ void describe_check(PreparedWave& wave, WaveCheck const& check) {
     }
     for (std::size_t b = 0; b < wave.measures.size(); ++b) {
         auto const& band = check.bands[b];
-        wave.measures[b].band_mean_misfit = band.mean_misfit;
-        wave.measures[b].band_max_misfit = band.max_misfit;
-        wave.measures[b].band_mean_ratio = band.mean_ratio;
-        wave.measures[b].band_ratio_cov = band.cov;
+        wave.measures[b].band_mean_misfit = if_compared(band, band.mean_misfit);
+        wave.measures[b].band_max_misfit = if_compared(band, band.max_misfit);
+        wave.measures[b].band_mean_ratio = if_compared(band, band.mean_ratio);
+        wave.measures[b].band_ratio_cov = if_compared(band, band.cov);
     }
 }
 
