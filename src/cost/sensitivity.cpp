@@ -149,8 +149,10 @@ void SensitivityRunner::compare(Sensitivity& study, std::size_t input, std::size
             if (!std::isnan(ratios.front())) {
                 constexpr double open = std::numeric_limits<double>::infinity();
                 auto const ends = middle_of(std::span(ratios).subspan(1), spec_.confidence, {-open, open});
-                shift.median_ratio = std::exp(ratios.front());
-                shift.median_interval = Interval{std::exp(ends.lower), std::exp(ends.upper)};
+                if (std::isfinite(ends.lower) && std::isfinite(ends.upper)) {  // else too few waves identify a median
+                    shift.median_ratio = std::exp(ratios.front());
+                    shift.median_interval = Interval{std::exp(ends.lower), std::exp(ends.upper)};
+                }
             }
             row_of(study, input, body, limit).ends.at(end) = shift;
         }

@@ -18,7 +18,8 @@ namespace overturn::cost {
 /// Relative change of a number that states no range [-].
 inline constexpr double usual_share = 0.1;
 
-/// An assumed number, or a word with a range of numbers, and where it was moved to.
+/// An assumed number, a word with a range of numbers, or a friction coefficient near tan(alpha), and where it was moved
+/// to.
 struct VariedInput {
     std::vector<std::string> keys;  ///< several where bodies share a file
     std::string value, source;
@@ -42,8 +43,8 @@ struct Counts {
 struct Shift {
     std::int64_t compared = 0;                ///< trials that both decide, at levels that both have
     std::int64_t passed = 0, no_longer = 0;   ///< of them: newly passed, no longer passed
-    std::optional<double> median_ratio;       ///< moved over unmoved
-    std::optional<Interval> median_interval;  ///< of it, by resampled waves, the same for both; open ends: too few
+    std::optional<double> median_ratio;       ///< moved over unmoved; none: too few waves identify both
+    std::optional<Interval> median_interval;  ///< of it, by resampled waves, the same for both; likewise
     Counts at_design_basis;
     std::int64_t design_passed = 0, design_no_longer = 0;  ///< waves by which that P differs
     /// Chance of so uneven a split of these (McNemar 1947, exact); 1 where none differs.

@@ -14,14 +14,11 @@ std::string percent(double ratio) { return std::isinf(ratio) ? "inf" : fmt::form
 // "-8.1 % [-9.0, -7.2]"
 std::string median_text(Shift const& shift) {
     if (!shift.median_ratio) {
-        return "-";
+        return "not identified";
     }
     auto const& ends = *shift.median_interval;
-    bool const open = ends.lower == 0 || std::isinf(ends.upper);
-    return fmt::format(
-        "{} % {}", percent(*shift.median_ratio),
-        open ? std::string("[too few waves]")
-             : fmt::format("[{}, {}]{}", percent(ends.lower), percent(ends.upper), shift.resolved() ? " *" : ""));
+    return fmt::format("{} % [{}, {}]{}", percent(*shift.median_ratio), percent(ends.lower), percent(ends.upper),
+                       shift.resolved() ? " *" : "");
 }
 
 std::string share_text(Counts const& counts) {
@@ -62,12 +59,12 @@ std::string at_level(Sensitivity const& study, double value) {
 
 std::string sensitivity_text(Sensitivity const& study) {
     auto text = fmt::format(
-        "{}\nwhat assumed numbers decide: each moved alone, to its range or by {:.0f} %, under the same {} waves of "
-        "{}\n"
-        "change of the median over {} with its {:g} % interval by resampled waves (*: more than these waves make of "
-        "nothing); verdicts that changed (newly passed, no longer passed){}\n",
+        "{}\neffect of assumed numbers, and of friction near tan(alpha): each is moved alone, to the ends of its range "
+        "or by {:.0f} %, under the same {} waves of {}\n"
+        "change of the median over {} with its {:g} % interval from resampled waves (*: significant; not identified: "
+        "too few waves exceed the limit); verdicts that changed (newly passed, no longer passed){}\n",
         study.title, 100 * usual_share, study.waves, study.campaign_waves, study.measure, 100 * study.confidence,
-        study.design_basis ? "; P at the design basis (waves that changed it, exact p of so uneven a split)" : "");
+        study.design_basis ? "; P at the design basis (waves that changed it, exact p value)" : "");
     for (auto const& unmoved : study.unmoved) {
         text += fmt::format("\n{}, {}: median {}", study.bodies[unmoved.body], study.limits[unmoved.limit],
                             unmoved.median ? at_level(study, *unmoved.median) : "-");

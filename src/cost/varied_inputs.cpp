@@ -1,6 +1,7 @@
 #include "cost/detail/varied_inputs.hpp"
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
@@ -50,6 +51,22 @@ std::string toml_of(std::string const& written) {
     return parse_number(written, number) ? written : fmt::format("'{}'", written);
 }
 
+// Does the friction decide whether the body slides or rocks, wherever the number comes from? From tan(alpha) to
+// about 1.15 of it a trial's outcome changes with it: the move may reach into that range.
+bool is_deciding_friction(CampaignSpec const& spec, config::InputValue const& value) {
+    constexpr double both_to = 1.15;
+    for (std::size_t b = 0; value.number && b < spec.bodies.size(); ++b) {
+        auto const key = fmt::format("bodies[{}].friction", b);
+        if (value.key != key && value.key != key + ".static") {
+            continue;
+        }
+        auto const& body = spec.bodies[b].body;
+        double const share = *value.number / std::tan(body.corner(body.weaker_side()).base_angle_rad);
+        return share * (1 + usual_share) >= 1 && share * (1 - usual_share) <= both_to;
+    }
+    return false;
+}
+
 std::string why_unvaried(config::InputValue const& value) {
     if (!value.span.is_known()) {
         return "set on the command line";
@@ -77,7 +94,7 @@ VariedInputs varied_inputs(CampaignSpec const& spec) {
     VariedInputs found;
     std::map<std::tuple<std::string, int, int>, std::size_t> places;
     for (auto const& value : physical_inputs(spec)) {
-        if (value.basis != config::Basis::assumed) {
+        if (value.basis != config::Basis::assumed && !is_deciding_friction(spec, value)) {
             continue;
         }
         if (auto const why = why_unvaried(value); !why.empty()) {

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/trial.hpp"
+#include "cost/detail/varied_inputs.hpp"
 #include "output/json.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
@@ -198,6 +199,23 @@ TEST(Sensitivity, AnImpossibleEndIsReportedAsRefused) {
     EXPECT_EQ(study.inputs[0].refused[1], "");
     EXPECT_FALSE(study.rows.front().ends[0].has_value());
     EXPECT_NE(sensitivity_text(study).find("refused: "), std::string::npos);
+}
+
+// From tan(alpha) = 0.4306 to 1.15 of it a body slides and rocks at once: there friction is moved, stated or not.
+TEST(Sensitivity, FrictionNearTheSlopeIsMovedWhateverItsSource) {
+    auto const moves = [](std::string const& friction) {
+        auto with = text;
+        with.insert(with.find("restitution="), "friction=" + friction + "\n");
+        auto const found = varied_inputs(parse_campaign(input_from(with))).inputs;
+        return std::ranges::any_of(
+            found, [](VariedInput const& input) { return input.keys.front().starts_with("bodies[0].friction"); });
+    };
+    for (auto const* const near : {"0.4", "0.54", "{static=0.45, kinetic=0.4}", "{value=0.45, basis='measured'}"}) {
+        EXPECT_TRUE(moves(near)) << near;
+    }
+    for (auto const* const far : {"0.38", "0.57", "{static=0.8, kinetic=0.45}"}) {
+        EXPECT_FALSE(moves(far)) << far;
+    }
 }
 
 TEST(Sensitivity, AGridIsNoSample) {
