@@ -39,6 +39,12 @@ bool is_quantity(std::string const& text, Dimension dimension) {
 }
 
 void check_level(std::string const& text) {
+    if (text.find_first_of(" \t") == std::string::npos) {
+        double number = 0;
+        validate(!parse_number(text, number), "'{}' (a number without its unit). Write for example \"{} gal\"", text,
+                 text);
+        (void)parse_quantity(text, Dimension::acceleration);  // no quantity without a blank: says why
+    }
     validate(
         is_quantity(text, Dimension::acceleration) || is_quantity(text, Dimension::velocity),
         "'{}' (no number above 0, a blank, and a unit of acceleration or velocity). Write for example \"600 gal\", "
@@ -106,34 +112,38 @@ constexpr std::array questions{
     StudyQuestion{"--edge", "'2 m'", "distance to the edge of the pad, all round", &Answers::edge,
                   check_quantity<Dimension::length>},
     StudyQuestion{"--height", "'5.2 m'", "full height of the cask above the ground", &Answers::height,
-                  check_quantity<Dimension::length>, false, of_site, "it goes with --gap, --wall or --edge"},
+                  check_quantity<Dimension::length>, false, of_site,
+                  "it is compared with what stands near, and no --gap, --wall or --edge is stated"},
     StudyQuestion{"--spectrum", "NAME|FILE", "target spectrum: a published one (overturn list), or a file of one",
                   &Answers::spectrum, check_target},
     StudyQuestion{"--spectrum-kind", "KIND",
                   "what that file holds: acceleration, pseudo-velocity, displacement or energy-velocity",
                   &Answers::spectrum_kind,
                   [](std::string const& text) { check_word(text, config::names_of(target_kinds())); }, true,
-                  of_spectrum_file, "it goes with a file of --spectrum"},
+                  of_spectrum_file, "it describes a file of a spectrum, and --spectrum names none"},
     StudyQuestion{"--spectrum-unit", "gal", "unit of its ordinates, where the file does not say it",
-                  &Answers::spectrum_unit, take_as_it_is, false, of_spectrum_file, "it goes with a file of --spectrum"},
+                  &Answers::spectrum_unit, take_as_it_is, false, of_spectrum_file,
+                  "it describes a file of a spectrum, and --spectrum names none"},
     StudyQuestion{"--components", "1|2|3", "components of the motion: 1 horizontal, 2 both, 3 the vertical one too",
                   &Answers::components,
                   [](std::string const& text) {
                       check_word(text, {"1", "2", "3"});
                   },
-                  false, of_spectrum, "it goes with --spectrum"},
+                  false, of_spectrum, "it describes generated waves, and no --spectrum is stated for them"},
     StudyQuestion{"--duration", "'120 s'", "duration of every wave", &Answers::duration,
-                  check_quantity<Dimension::time>, false, of_spectrum, "it goes with --spectrum"},
+                  check_quantity<Dimension::time>, false, of_spectrum,
+                  "it describes generated waves, and no --spectrum is stated for them"},
     StudyQuestion{"--acceptance", "none|srp-3.7.1|japan", "rule that every wave must meet", &Answers::acceptance,
                   [](std::string const& text) { check_word(text, config::names_of(acceptance_rules())); }, false,
-                  of_spectrum, "it goes with --spectrum"},
+                  of_spectrum, "it describes generated waves, and no --spectrum is stated for them"},
     StudyQuestion{"--records", "FILE|FOLDER", "recorded motions: a file, or a folder of them", &Answers::records,
-                  check_file, true, without_spectrum, "--spectrum is stated"},
+                  check_file, true, without_spectrum,
+                  "waves come from --spectrum or from --records, and --spectrum is stated"},
     StudyQuestion{"--record-unit", "gal", "unit of the records, where they do not say it", &Answers::record_unit,
-                  take_as_it_is, false, of_records, "it goes with --records"},
+                  take_as_it_is, false, of_records, "it describes recorded motions, and no --records are stated"},
     StudyQuestion{"--baseline", "'high-pass 0.05 Hz'",
                   "what takes the drift off the records: none, mean, polynomial or a high-pass", &Answers::baseline,
-                  take_as_it_is, false, of_records, "it goes with --records"},
+                  take_as_it_is, false, of_records, "it describes recorded motions, and no --records are stated"},
     StudyQuestion{"--count", "100", "number of waves", &Answers::count, check_count},
     StudyQuestion{"--design-basis", "'0.3 g'", "peak acceleration or velocity of the design basis",
                   &Answers::design_basis, check_level, true},

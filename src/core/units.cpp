@@ -170,9 +170,26 @@ double unit_factor(std::string_view symbol, Dimension dimension) {
                                  accepted_units(dimension)));
 }
 
+// "0.35g": where the unit begins of a number that is followed by one at once; npos: nothing of that kind.
+std::string_view::size_type unit_at_once(std::string_view text, Dimension dimension) {
+    for (auto const& unit : units) {
+        double number = 0;
+        if (unit.dimension == dimension && text.size() > unit.symbol.size()
+            && same_ignoring_case(text.substr(text.size() - unit.symbol.size()), unit.symbol)
+            && parse_number(text.substr(0, text.size() - unit.symbol.size()), number)) {
+            return text.size() - unit.symbol.size();
+        }
+    }
+    return std::string_view::npos;
+}
+
 double parse_quantity(std::string_view text, Dimension dimension) {
     text = trimmed(text);
     auto const blank = text.find_first_of(" \t");
+    if (auto const at = unit_at_once(text, dimension); at != std::string_view::npos) {
+        throw InputError(fmt::format("'{}' (no blank between number and unit). Write \"{} {}\"", text,
+                                     text.substr(0, at), text.substr(at)));
+    }
     double value = 0;
     validate(parse_number(text.substr(0, blank), value),
              "'{}' (not a finite number followed by a blank and a unit). Write for example {}", text,

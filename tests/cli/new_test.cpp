@@ -160,10 +160,13 @@ TEST_F(New, RefusesWhatCannotBe) {
     expect_refused({"--records", "none.csv"}, "--records 'none.csv' (no such file)");
     expect_refused({"--hazard", "none.csv"}, "--hazard 'none.csv' (no such file)");
     expect_refused({"--design-basis", "2 m"}, "--design-basis '2 m' (no number above 0, a blank, and a unit");
-    expect_refused({"--height", "5 m"}, "--height '5 m' (it goes with --gap, --wall or --edge)");
-    expect_refused({"--duration", "5 s"}, "--duration '5 s' (it goes with --spectrum)");
+    expect_refused({"--design-basis", "0.35g"},
+                   "--design-basis '0.35g' (no blank between number and unit). Write \"0.35 g\"");
+    expect_refused({"--mass", "117t"}, "--mass '117t' (no blank between number and unit). Write \"117 t\"");
+    expect_refused({"--height", "5 m"}, "--height '5 m' (it is compared with what stands near");
+    expect_refused({"--duration", "5 s"}, "--duration '5 s' (it describes generated waves");
     expect_refused({"--spectrum", "mlit-ch1", "--records", "record.csv"},
-                   "--records 'record.csv' (--spectrum is stated)");
+                   "--records 'record.csv' (waves come from --spectrum or from --records, and");
     expect_refused({"--spectrum", "rg-1.60", "--design-basis", "30 kine"}, "rg-1.60 is scaled by a peak acceleration");
     // What only plan knows.
     expect_refused(joined(cask, {"--records", "record.csv", "--design-basis", "600 gal"}),

@@ -147,7 +147,8 @@ def limits(report):
 
 
 def spread(row, key):
-    return f"{response(row, key)} ({interval([row[f'{key}_lower'], row[f'{key}_upper']], 3)})"
+    ends = [row[f"{key}_lower"], row[f"{key}_upper"]]
+    return response(row, key) if ends == [None, None] else f"{response(row, key)} ({interval(ends, 3)})"
 
 
 def responses(report):
