@@ -130,9 +130,10 @@ std::string assumptions_lines(CampaignSpec const& spec, bool full) {
         }
     }
     return text
-           + labelled("model",
-                      fmt::format("{} assumptions of its own (overturn list assumptions); unsafe where wrong: {}",
-                                  bearing, fmt::join(unsafe, ", ")));
+           + labelled(
+               "model",
+               fmt::format("{} assumptions (overturn list assumptions); on the unsafe side where they do not hold: {}",
+                           bearing, fmt::join(unsafe, ", ")));
 }
 
 }  // namespace overturn::cli

@@ -44,10 +44,10 @@ std::string footing_text(BodySpec const& body, TypedUnits const& units) {
     auto const match = matched_footing(body.body, body.footing);
     constexpr double close = 1e-3;
     return text
-           + fmt::format("; rocks with e {:.4f}{}", match.restitution,
-                         !pad.match_restitution ? ", its own"
+           + fmt::format("; rocks with restitution {:.4f}{}", match.restitution,
+                         !pad.match_restitution ? " (of the base itself)"
                          : std::abs(match.restitution - body.body.restitution()) > close
-                             ? fmt::format(", as near to {:.4f} as it can", body.body.restitution())
+                             ? fmt::format(", the nearest to {:.4f} that this base can have", body.body.restitution())
                              : "");
 }
 

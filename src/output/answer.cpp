@@ -177,7 +177,7 @@ class SheetMaker {
         auto const outside = outside_validated_range(of_.spec);
         if (!outside.empty()) {
             text += fmt::format(" Outside the range of the shaking-table tests: {}{}.", outside.front(),
-                                outside.size() == 1 ? "" : "; other bodies in other ways (overturn plan)");
+                                outside.size() == 1 ? "" : "; for other bodies see overturn plan");
         }
         return text;
     }

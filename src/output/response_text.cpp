@@ -108,7 +108,7 @@ std::string text_of(OneResponse const& of, ShownVelocity const& unit) {
                         std::isnan(r.friction_demand) ? "unknown" : fmt::format("{:.4f}", r.friction_demand),
                         r.min_contact_force_ratio);
     text +=
-        fmt::format("effects          {} (called for: {}); {}\n", names_of_effects(static_cast<EffectMask>(r.effects)),
+        fmt::format("effects          {} (required: {}); {}\n", names_of_effects(static_cast<EffectMask>(r.effects)),
                     names_of_effects(static_cast<EffectMask>(r.called)), summary_of_reason(r.reason));
     for (auto const& [traits, offset] : selector.extra_parts()) {
         if (traits->number != r.model) {

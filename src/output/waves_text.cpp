@@ -12,10 +12,10 @@ std::string waves_text(WaveCounts const& counts, Acceptance const& acceptance, d
         return "";
     }
     auto text = fmt::format("{} waves", waves);
-    text += missed > 0 ? fmt::format(", {} missed match_tolerance and are used as they are", missed) : "";
+    text += missed > 0 ? fmt::format(", {} outside match_tolerance, but used", missed) : "";
     text += failed > 0 ? fmt::format(", {} could not be made (their trials are failed rows)", failed) : "";
     if (acceptance.uses_refused) {
-        return text + fmt::format(", {} of them miss {} and are used all the same", not_accepted, acceptance.rule);
+        return text + fmt::format(", {} of them outside {}, but used", not_accepted, acceptance.rule);
     }
     if (not_accepted > 0) {  // up to format 4
         return text

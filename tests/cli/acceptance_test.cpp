@@ -72,7 +72,7 @@ TEST_F(Acceptance, RunAndStatusCountWavesThatMissedTheirMatch) {
     auto const run = overturn(folder, {"run", "c.toml", "--set", "waves.match_iterations=1", "--set",
                                        "waves.acceptance=none", "--set", "waves.match_tolerance=0.001"});
     ASSERT_EQ(run.code, 0) << run.err;
-    std::string const counted = "4 waves, 4 missed match_tolerance and are used as they are";
+    std::string const counted = "4 waves, 4 outside match_tolerance, but used";
     EXPECT_NE(in_one_line(run.out).find(counted), std::string::npos) << run.out;
     auto const status = overturn(folder, {"status", "c.h5"});
     EXPECT_NE(status.out.find(counted), std::string::npos) << status.out;

@@ -60,7 +60,7 @@ TEST_F(Assumptions, ArePlannedWithTheirCounts) {
         << plan.out;
     EXPECT_NE(planned(folder, {"c.toml", "--full"}).out.find("assumed   bodies[1].centre_height = 1.045 m (A & B)"),
               std::string::npos);
-    EXPECT_NE(plan.out.find("unsafe where wrong: "), std::string::npos);
+    EXPECT_NE(plan.out.find("on the unsafe side where"), std::string::npos);
     auto const& first = stated["inputs"][0];
     EXPECT_EQ(first["key"], "bodies[1].centre_height");
     EXPECT_EQ(first["si"], 1.045);

@@ -44,7 +44,7 @@ TEST(WavesText, NothingIsReportedWhereNothingIsAmiss) {
     counts.missed = 1;
     EXPECT_EQ(
         waves_text(counts, {}, 0.95),
-        "9 waves, 1 missed match_tolerance and are used as they are, 2 could not be made (their trials are failed "
+        "9 waves, 1 outside match_tolerance, but used, 2 could not be made (their trials are failed "
         "rows)");
 }
 
@@ -55,7 +55,7 @@ TEST(WavesText, UsedWavesThatMissTheirRuleAreReported) {
     EXPECT_EQ(waves_text(counts, acceptance, 0.95),
               "9 waves, 3 not accepted by srp-3.7.1 (their trials are failed rows)");
     acceptance.uses_refused = true;
-    EXPECT_EQ(waves_text(counts, acceptance, 0.95), "9 waves, 3 of them miss srp-3.7.1 and are used all the same");
+    EXPECT_EQ(waves_text(counts, acceptance, 0.95), "9 waves, 3 of them outside srp-3.7.1, but used");
 }
 
 TEST(WavesText, ScatterStandsBesideWhatWasStated) {

@@ -55,10 +55,10 @@ std::string bracket_text(Interval const& bracket, IntensityUnit const& unit) {
 
 std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
     auto text = fmt::format(
-        "no curve: all trials that {} (or at one level that has both). beta is not identifiable; the median is {}",
-        fit.passing == Passing::exceeded ? "did not exceed it are below all that exceeded it"
-                                         : "stood are below all that overturned",
-        bracket_text(fit.isotonic_median, unit));
+        "no curve, because {} at lower levels than those that {} (at most one level has both): beta cannot be "
+        "estimated; the median is {}",
+        fit.passing == Passing::exceeded ? "all trials that keep within it are" : "all trials that stand are",
+        fit.passing == Passing::exceeded ? "exceed it" : "overturn", bracket_text(fit.isotonic_median, unit));
     if (fit.penalised) {
         text += fmt::format("; penalised (Firth) median {}, beta {:.3g}",
                             unit.text(std::exp(fit.penalised->log_median())), fit.penalised->beta());
