@@ -219,6 +219,7 @@ int plan_campaign(PlanOptions const& options) {
     auto spec = parse_campaign(input);
     double const start_s = seconds_since(begin);  // calibrations, which every rank makes
     Plan const plan(spec);
+    (void)stated_hazard(input, spec.levels);  // refused before anything is printed
     if (options.json) {
         return print_plan_json(input, spec, plan, start_s, options);
     }
