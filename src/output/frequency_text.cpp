@@ -159,8 +159,7 @@ std::string range_text(HazardCurve const& hazard) {
 
 std::string frequency_text(std::span<BodyFrequency const> frequencies, HazardCurve const& hazard, double confidence) {
     bool const stated = std::ranges::all_of(frequencies, &BodyFrequency::stated);
-    auto text =
-        "\n" + wrapped("annual frequency [1/a], by a hazard curve of " + range_text(hazard), 2);
+    auto text = "\n" + wrapped("annual frequency [1/a], by a hazard curve of " + range_text(hazard), 2);
     for (auto const& remark : hazard.remarks()) {
         text += wrapped("note: hazard curve: " + remark, 4, line_width, "  ");
     }

@@ -81,7 +81,7 @@ values = {from = "300 gal", to = "1500 gal", count = 7}
 
 // SHA-256 of the digests of all stored rows, by kind of machine: the same on every x86-64 CPU.
 std::string known_rows(std::string const& kind) {
-    return kind == "x86-64" ? "322301dcd241d3772e0320c1f6adffadaf4ef47b2dd8891601b66fe9128d578a" : "";
+    return kind == "x86-64" ? "811f54de64a3e5b16463309d2fdb3c9bb8387e442de0accac8adb8215efcc279" : "";
 }
 
 CampaignInput campaign() {

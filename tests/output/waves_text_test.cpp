@@ -42,10 +42,9 @@ TEST(WavesText, NothingIsReportedWhereNothingIsAmiss) {
     auto counts = counts_of(9, 0);
     counts.failed = 2;
     counts.missed = 1;
-    EXPECT_EQ(
-        waves_text(counts, {}, 0.95),
-        "9 waves, 1 outside match_tolerance, but used, 2 could not be made (their trials are failed "
-        "rows)");
+    EXPECT_EQ(waves_text(counts, {}, 0.95),
+              "9 waves, 1 outside match_tolerance, but used, 2 could not be made (their trials are failed "
+              "rows)");
 }
 
 TEST(WavesText, UsedWavesThatMissTheirRuleAreReported) {
