@@ -1,6 +1,7 @@
 #include "runner/verify.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <limits>
 #include <memory>
@@ -13,6 +14,7 @@
 
 #include "campaign/block_rows.hpp"
 #include "campaign/plan.hpp"
+#include "output/made_by.hpp"
 #include "parallel/rows_of_ranks.hpp"
 #include "results/rare_replayer.hpp"
 #include "results/rare_results.hpp"
@@ -152,6 +154,18 @@ class Verifier {
                            spec_.levels.text(row.amplitude)));
     }
 
+    // Where a wave was compared with nothing, files of earlier programs hold 0, and this one nothing.
+    [[nodiscard]] std::vector<std::string> different(Fields const& fields, std::span<std::byte const> stored,
+                                                     std::span<std::byte const> again) const {
+        auto names = differing(fields, stored, again);
+        std::erase_if(names, [&](std::string const& name) {
+            auto const& field = *std::ranges::find(fields, name, &Field::name);
+            return of_another_program_ && field.type == FieldType::real && real_at(stored, field) == 0
+                   && std::isnan(real_at(again, field));
+        });
+        return names;
+    }
+
     void compare_waves(std::int64_t first, std::span<WaveRow const> waves, std::span<MeasureRow const> measures) {
         auto const bodies = spec_.bodies.size();
         std::int64_t const count = waves.size();
@@ -159,13 +173,13 @@ class Verifier {
         auto const stored_measures = rows_.measures(first, count);
         for (std::size_t w = 0; w < waves.size(); ++w) {
             auto columns =
-                differing(rows_.wave_table().columns, overturn::bytes_of(stored[w]), overturn::bytes_of(waves[w]));
+                different(rows_.wave_table().columns, overturn::bytes_of(stored[w]), overturn::bytes_of(waves[w]));
             auto const mine = [&](std::span<MeasureRow const> rows) {
                 return std::as_bytes(rows.subspan(w * bodies, bodies));
             };
             for (std::size_t b = 0; b < bodies; ++b) {
                 for (auto const& name :
-                     differing(rows_.measure_tables()[b].columns, mine(stored_measures), mine(measures))) {
+                     different(rows_.measure_tables()[b].columns, mine(stored_measures), mine(measures))) {
                     columns.push_back(spec_.bodies[b].name + "/" + name);
                 }
             }
@@ -210,6 +224,7 @@ class Verifier {
     ModelSelector selector_;
     Plan plan_;
     StoredRows rows_;
+    bool of_another_program_ = !output::is_of_this_program(file_);
     std::int64_t waves_ = 0, trials_ = 0;
     std::vector<Unit> units_;
     std::vector<std::unique_ptr<RareReplayer>> rare_;

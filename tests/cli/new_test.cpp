@@ -109,7 +109,7 @@ TEST_F(New, OtherSpectraRulesAndFiles) {
           {"--spectrum", "mlit-ch1", "--hazard", "hazard.csv", "--design-basis", "600 gal"}}) {
         expect_planned(waves);
     }
-    EXPECT_NE(folder.read("s.toml").find("overturn fit s.h5 --hazard hazard.csv;"), std::string::npos);
+    EXPECT_NE(folder.read("s.toml").find("hazard = \"hazard.csv\"\n"), std::string::npos) << folder.read("s.toml");
 }
 
 TEST_F(New, AnswersStandAsTheyWereTyped) {

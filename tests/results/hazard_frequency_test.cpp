@@ -341,7 +341,7 @@ TEST(FrequencyOfUndecided, HoldsBothExtremes) {
 }
 
 TEST_F(Frequency, PartsWithoutDataAreReported) {
-    auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0, .replicates = 50});
+    auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0.1, .replicates = 50});
     auto const said = [&](HazardCurve const& hazard) {
         return output::frequency_text(frequencies_of(spec, statistics, analysis, hazard, 0.95), hazard, 0.95);
     };
