@@ -60,7 +60,12 @@ class Browser:
             self.events.append(self.read())
 
     def value(self, script):
-        return self.ask("Runtime.evaluate", expression=script, returnByValue=True)["result"].get("value")
+        return self.ask("Runtime.evaluate", expression=script, returnByValue=True, awaitPromise=True)["result"].get("value")
+
+    def resize(self, width, height):
+        """Until the page has heard of it: events of a new size come with the next frame."""
+        self.ask("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
+        self.value("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(0))))")
 
 
 FIGURES = """[...document.querySelectorAll('svg')].filter(e => !e.parentElement.closest('svg')).map(e => {
@@ -136,7 +141,7 @@ def faults(browser, page):
     browser.ask("Page.navigate", url=page.as_uri())
     browser.wait_for("Page.loadEventFired")
     for width in (400, 1400):
-        browser.ask("Emulation.setDeviceMetricsOverride", width=width, height=900, deviceScaleFactor=1, mobile=False)
+        browser.resize(width, 900)
         figures = browser.value(FIGURES)
         if not figures:
             yield f"at {width} px: no figure"
@@ -159,7 +164,7 @@ def faults(browser, page):
         yield from browser.value(WORKS)
     tables = browser.value("document.querySelectorAll('table').length")
     browser.ask("Emulation.setEmulatedMedia", media="print")
-    browser.ask("Emulation.setDeviceMetricsOverride", width=PRINT_WIDTH, height=1000, deviceScaleFactor=1, mobile=False)
+    browser.resize(PRINT_WIDTH, 1000)
     if not tables:
         yield "no table"
     for what in browser.value(CUT):
