@@ -19,15 +19,15 @@ Json record_json(PlacedRecord const& record) {
             {"not_understood", record.unread}};
 }
 
-Json json_of(PlacedRecord const& record, RecordSpectra const& m) {
+Json json_of(PlacedRecord const& record, RecordSpectra const& spectra) {
     Json json{{"record", record_json(record)},
-              {"pga", m.intensity.pga_mps2},
-              {"pgv", m.intensity.pgv_mps},
-              {"pgd", m.intensity.pgd_m},
-              {"arias", m.intensity.arias_mps},
-              {"residual_velocity", m.drift.end_velocity_mps},
-              {"residual_displacement", m.drift.end_displacement_m},
-              {"residual_velocity_over_pgv", m.drift.share()},
+              {"pga", spectra.intensity.pga_mps2},
+              {"pgv", spectra.intensity.pgv_mps},
+              {"pgd", spectra.intensity.pgd_m},
+              {"arias", spectra.intensity.arias_mps},
+              {"residual_velocity", spectra.drift.end_velocity_mps},
+              {"residual_displacement", spectra.drift.end_displacement_m},
+              {"residual_velocity_over_pgv", spectra.drift.share()},
               {"units",
                {{"pga", "m/s2"},
                 {"pgv", "m/s"},
@@ -36,20 +36,20 @@ Json json_of(PlacedRecord const& record, RecordSpectra const& m) {
                 {"residual_velocity", "m/s"},
                 {"residual_displacement", "m"},
                 {"residual_velocity_over_pgv", "1"}}},
-              {"damping", m.damping},
-              {"period_s", m.response.period_s},
-              {"sa_mps2", m.response.sa_mps2},
-              {"sv_mps", m.response.sv_mps},
-              {"sd_m", m.response.sd_m},
-              {"psa_mps2", m.response.psa_mps2},
-              {"psv_mps", m.response.psv_mps},
-              {"v_e_mps", m.v_e_mps},
-              {"v_e0_mps", m.v_e0_mps}};
+              {"damping", spectra.damping},
+              {"period_s", spectra.response.period_s},
+              {"sa_mps2", spectra.response.sa_mps2},
+              {"sv_mps", spectra.response.sv_mps},
+              {"sd_m", spectra.response.sd_m},
+              {"psa_mps2", spectra.response.psa_mps2},
+              {"psv_mps", spectra.response.psv_mps},
+              {"v_e_mps", spectra.v_e_mps},
+              {"v_e0_mps", spectra.v_e0_mps}};
     for (auto const& [measure, value] : measures_of(record.motion)) {
         json[std::string(measure->name)] = value;
         json["units"][std::string(measure->name)] = measure->units();
     }
-    if (auto const& energy = m.energy) {
+    if (auto const& energy = spectra.energy) {
         json["energy"] = {{"T0_s", energy->band.t0_s},
                           {"T1_s", energy->band.t1_s},
                           {"ou_v_e_mps", energy->restarted.ou_v_e_mps},
@@ -64,7 +64,8 @@ Json json_of(PlacedRecord const& record, RecordSpectra const& m) {
     return json;
 }
 
-std::string text_of(PlacedRecord const& record, RecordSpectra const& m, ShownVelocity const& unit, std::size_t every) {
+std::string text_of(PlacedRecord const& record, RecordSpectra const& spectra, ShownVelocity const& unit,
+                    std::size_t every) {
     auto const& symbol = unit.symbol;
     auto text = fmt::format("read as {}\n", record.read_as());
     for (auto const& claim : record.claims) {
@@ -73,17 +74,18 @@ std::string text_of(PlacedRecord const& record, RecordSpectra const& m, ShownVel
     for (auto const& line : record.unread) {
         text += fmt::format("not understood, {}\n", line);
     }
-    text += fmt::format("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} {}, PGD {:.5g} m, Arias {:.5g} m/s\n",
-                        m.intensity.pga_mps2, 100 * m.intensity.pga_mps2, unit.of(m.intensity.pgv_mps), symbol,
-                        m.intensity.pgd_m, m.intensity.arias_mps);
+    text +=
+        fmt::format("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} {}, PGD {:.5g} m, Arias {:.5g} m/s\n",
+                    spectra.intensity.pga_mps2, 100 * spectra.intensity.pga_mps2, unit.of(spectra.intensity.pgv_mps),
+                    symbol, spectra.intensity.pgd_m, spectra.intensity.arias_mps);
     std::string further;
     for (auto const& [measure, value] : measures_of(record.motion)) {
         further += fmt::format("{}{} {:.5g} {}", further.empty() ? "" : ", ", measure->title, value, measure->units());
     }
     text += fmt::format("{}\n", further);
-    text += fmt::format("{}{}\n", m.drift.text(),
-                        m.drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
-    if (auto const& energy = m.energy) {
+    text += fmt::format("{}{}\n", spectra.drift.text(),
+                        spectra.drift.excessive() ? ": its baseline drifts, correct it with --baseline" : "");
+    if (auto const& energy = spectra.energy) {
         auto const verdict = [&](double v) { return v < energy->v_ereq_mps ? "predicted safe" : "predicted unsafe"; };
         text += fmt::format("T0 {:.4f} s, T1 {:.4f} s, V_Ereq {:.4f} {}\n", energy->band.t0_s, energy->band.t1_s,
                             unit.of(energy->v_ereq_mps), symbol);
@@ -96,13 +98,15 @@ std::string text_of(PlacedRecord const& record, RecordSpectra const& m, ShownVel
     }
     text += fmt::format("\n{:>9} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "period s", "Sa m/s2", "pSv " + symbol, "Sd m",
                         "V_E " + symbol, "V_E0 " + symbol);
-    for (std::size_t i = 0; i < m.response.period_s.size(); i += every) {
-        text += fmt::format("{:>9.4f} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g}\n", m.response.period_s[i],
-                            m.response.sa_mps2[i], unit.of(m.response.psv_mps[i]), m.response.sd_m[i],
-                            unit.of(m.v_e_mps[i]), unit.of(m.v_e0_mps[i]));
+    for (std::size_t i = 0; i < spectra.response.period_s.size(); i += every) {
+        text +=
+            fmt::format("{:>9.4f} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g} {:>12.5g}\n", spectra.response.period_s[i],
+                        spectra.response.sa_mps2[i], unit.of(spectra.response.psv_mps[i]), spectra.response.sd_m[i],
+                        unit.of(spectra.v_e_mps[i]), unit.of(spectra.v_e0_mps[i]));
     }
-    text += fmt::format("damping {:g}{}\n", m.damping,
-                        every == 1 ? "" : fmt::format("; all {} periods with --json", m.response.period_s.size()));
+    text +=
+        fmt::format("damping {:g}{}\n", spectra.damping,
+                    every == 1 ? "" : fmt::format("; all {} periods with --json", spectra.response.period_s.size()));
     return text;
 }
 
