@@ -107,9 +107,8 @@ std::vector<std::int64_t> asked_ranks(PlanOptions const& options) {
 
 // All that the text says, in SI.
 int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& drawn, double start_s,
-                    PlanOptions const& options) {
+                    std::optional<HazardCurve> const& hazard, PlanOptions const& options) {
     auto const plan = drawn.without_refusals();
-    auto const hazard = stated_hazard(input, spec.levels);
     Json json{{"title", spec.title},
               {"waves", plan.waves()},
               {"trials", plan.trials()},
@@ -165,7 +164,8 @@ void print_records(CampaignSpec const& spec, bool full) {
 }
 
 // What is asked: waves, bodies, levels, limits, and what is hardly meant or assumed.
-void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan, PlanOptions const& options) {
+void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan,
+                 std::optional<HazardCurve> const& hazard, PlanOptions const& options) {
     constexpr std::size_t most_bodies = 8;
     constexpr std::size_t most_outside = 2;
     auto const count = [](std::size_t n, char const* one, char const* more) {
@@ -181,7 +181,7 @@ void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan cons
                bodies_text(spec, options.unit.of_campaign(spec), options.full ? spec.bodies.size() : most_bodies));
     print_levels(spec.levels);
     print_limits(spec);
-    if (auto const hazard = stated_hazard(input, spec.levels)) {
+    if (hazard) {
         print_entry("hazard", fmt::format("{}: {}", hazard_file(input), output::range_text(*hazard)));
     }
     print_entry("validated", validated_range_text(spec, options.full ? spec.bodies.size() : most_outside));
@@ -219,12 +219,12 @@ int plan_campaign(PlanOptions const& options) {
     auto spec = parse_campaign(input);
     double const start_s = seconds_since(begin);  // calibrations, which every rank makes
     Plan const plan(spec);
-    (void)stated_hazard(input, spec.levels);  // refused before anything is printed
+    auto const hazard = stated_hazard(input, spec.levels);  // refused before anything is printed
     if (options.json) {
-        return print_plan_json(input, spec, plan, start_s, options);
+        return print_plan_json(input, spec, plan, start_s, hazard, options);
     }
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
-    print_scene(input, spec, plan.without_refusals(), options);
+    print_scene(input, spec, plan.without_refusals(), hazard, options);
     auto const cost = print_probe(spec, plan, options.full);
     double const all = cost.counted_wave_s() * static_cast<double>(plan.asked());
     if (spec.rare) {
