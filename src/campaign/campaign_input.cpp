@@ -59,12 +59,7 @@ std::string unquoted(std::string const& stated) {
 
 // Without the file of the hazard curve, which moves neither.
 CampaignInput without_hazard(CampaignInput input) {
-    auto const values = config::stated_values(input.text, input.name, input.settings);
-    for (auto const* const key : {"hazard", "hazard.value"}) {
-        if (auto const stated = values.find(key); stated != values.end()) {
-            input.files.erase(unquoted(stated->second));
-        }
-    }
+    input.files.erase(input.hazard_file());
     return input;
 }
 
@@ -143,6 +138,10 @@ void erase_extent(StatedValues& values) {
 }
 
 }  // namespace
+
+std::string CampaignInput::hazard_file() const {
+    return config::Table::parse(text, name, settings).text(campaign_keys["hazard"]);
+}
 
 std::string CampaignInput::serialise() const {
     auto json = json_of(*this);

@@ -33,9 +33,12 @@ struct CampaignInput {
     /// SHA-256 of text, settings and files; neither the name nor program, machine and libraries count.
     [[nodiscard]] std::string sha256() const;
     /// Key of finished blocks: every value that may decide a row or the waves of a block, the files, the program, the
-    /// kind of machine and the libraries. Comments, confidence and the cover's text (title, question, signatures) do
-    /// not count.
+    /// kind of machine and the libraries. Comments, confidence, the cover's text (title, question, signatures) and
+    /// the hazard curve do not count: they move no row.
     [[nodiscard]] std::string block_key() const;
+
+    /// Name of the file of the seismic hazard curve; empty if the campaign states none. \throws InputError
+    [[nodiscard]] std::string hazard_file() const;
 
     [[nodiscard]] std::string serialise() const;
     /// \throws SystemError if the bytes are no campaign

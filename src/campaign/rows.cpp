@@ -146,6 +146,11 @@ Fields fields_of_waves() {
 
 }  // namespace
 
+bool is_match_figure(std::string_view column) {
+    return column.find("match_") != std::string_view::npos || column.starts_with("band_") || column == "si_ratio"
+           || column.starts_with("psd_lowest");
+}
+
 template <> Fields const& fields_of<WaveRow>() {
     static Fields const fields = fields_of_waves();
     return fields;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "campaign/intensity_measure.hpp"
@@ -90,6 +91,10 @@ struct TrialRows {
     std::vector<TrialRow> rows;
     std::vector<std::byte> extra;
 };
+
+/// Is a column of /waves a figure of the match to a target? NaN where a wave was compared with none; files of
+/// program 1.0.0 may have 0 there.
+[[nodiscard]] bool is_match_figure(std::string_view column);
 
 template <> [[nodiscard]] Fields const& fields_of<WaveRow>();
 template <> [[nodiscard]] Fields const& fields_of<MeasureRow>();

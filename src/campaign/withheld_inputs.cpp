@@ -43,7 +43,7 @@ std::map<std::string, std::string> kept_inputs(CampaignInput const& input) {
     auto files = input.files;
     auto const root = config::Table::parse(input.text, input.name, input.settings);
     if (keeps_hashes_only(root)) {
-        auto const hazard = root.text("hazard", "");
+        auto const hazard = input.hazard_file();
         for (auto& [name, content] : files) {
             content = name.ends_with(".toml") || name == hazard ? content : stands_for(content);
         }

@@ -39,7 +39,7 @@ std::vector<BodyFrequency> add_frequencies(std::string const& path, CampaignInpu
     auto frequencies = frequencies_of(spec, statistics, analysis, hazard, confidence);
     data["fit"].update(output::json_of(output::frequency_tables(spec.levels.units(), frequencies, hazard, confidence)));
     data["facts"].push_back(
-        {"hazard curve", fmt::format("{}: {}", path.empty() ? hazard_file(input) : path, output::range_text(hazard))});
+        {"hazard curve", fmt::format("{}: {}", path.empty() ? input.hazard_file() : path, output::range_text(hazard))});
     auto notes = Json::array();
     for (auto const& remark : hazard.remarks()) {
         notes.push_back(fmt::format("Hazard curve: {}.", remark));

@@ -120,7 +120,7 @@ int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& 
               {"bodies", bodies_json(spec)},
               {"levels", planned_levels_json(spec.levels)},
               {"limits", planned_limits_json(spec)},
-              {"hazard", hazard ? Json(hazard_file(input)) : Json()},
+              {"hazard", hazard ? Json(input.hazard_file()) : Json()},
               {"effects", names_of_effects(spec.effects.include)},
               {"validated", validated_range_text(spec, spec.bodies.size())},
               {"rare_max_waves", spec.rare ? Json(spec.rare->max_runs) : Json()},
@@ -182,7 +182,7 @@ void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan cons
     print_levels(spec.levels);
     print_limits(spec);
     if (hazard) {
-        print_entry("hazard", fmt::format("{}: {}", hazard_file(input), output::range_text(*hazard)));
+        print_entry("hazard", fmt::format("{}: {}", input.hazard_file(), output::range_text(*hazard)));
     }
     print_entry("validated", validated_range_text(spec, options.full ? spec.bodies.size() : most_outside));
     fmt::print("{}", assumptions_lines(spec, options.full));

@@ -8,7 +8,6 @@
 
 #include <fmt/format.h>
 
-#include "config/table.hpp"
 #include "core/error.hpp"
 #include "motion/claims.hpp"
 #include "motion/column_role.hpp"
@@ -170,12 +169,8 @@ void check_overlap(HazardCurve const& hazard, HazardAxis const& axis, Location c
 
 }  // namespace
 
-std::string hazard_file(CampaignInput const& input) {
-    return config::Table::parse(input.text, input.name, input.settings).text("hazard", "");
-}
-
 std::optional<HazardCurve> stated_hazard(CampaignInput const& input, LevelSpec const& levels) {
-    auto const name = hazard_file(input);
+    auto const name = input.hazard_file();
     return name.empty() ? std::nullopt : std::optional(parse_hazard(input.files.at(name), name, levels));
 }
 

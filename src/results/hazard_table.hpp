@@ -35,9 +35,7 @@ struct HazardAxis {
     return parse_hazard(content, name, hazard_axis(levels));
 }
 
-/// Name of the file of the hazard curve that the campaign states; empty: it states none.
-[[nodiscard]] std::string hazard_file(CampaignInput const& input);
-/// That curve; none: it states none. \throws InputError as parse_hazard
+/// The hazard curve that the campaign states; none: it states none. \throws InputError as parse_hazard
 [[nodiscard]] std::optional<HazardCurve> stated_hazard(CampaignInput const& input, LevelSpec const& levels);
 
 /// An intensity in the unit that the hazard curve states.

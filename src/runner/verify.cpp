@@ -160,8 +160,8 @@ class Verifier {
         auto names = differing(fields, stored, again);
         std::erase_if(names, [&](std::string const& name) {
             auto const& field = *std::ranges::find(fields, name, &Field::name);
-            return of_another_program_ && field.type == FieldType::real && real_at(stored, field) == 0
-                   && std::isnan(real_at(again, field));
+            return of_another_program_ && field.type == FieldType::real && is_match_figure(name)
+                   && real_at(stored, field) == 0 && std::isnan(real_at(again, field));
         });
         return names;
     }
