@@ -11,9 +11,13 @@ void add_merge(CommandLine& line) {
     auto verb = line.verb("merge", "make one results file from the parts that run --part left beside it");
     auto path = std::make_shared<std::string>();
     auto text = std::make_shared<TextChoice>();
+    auto packing = std::make_shared<Packing>();
     verb.needs("file", *path, "results file to make: the -o of the parts");
+    packing->offered_by(verb);
     text->offered_by(verb);
-    verb.does([path, text] { return merge_parts(*path, text->options()) == MergeEnd::complete ? done : resumable; });
+    verb.does([path, text, packing] {
+        return merge_parts(*path, {packing->layout(), text->options()}) == MergeEnd::complete ? done : resumable;
+    });
 }
 
 }  // namespace overturn::cli

@@ -32,6 +32,7 @@ struct RunVerbOptions {
     TextChoice text;
     bool resume = false;
     bool extend = false;
+    Packing packing;
 };
 
 double read_walltime(std::string const& text) {
@@ -90,7 +91,7 @@ int run(RunVerbOptions const& options, parallel::Communicator const& comm) {
     auto const text = options.text.options();
     auto const input = load_campaign_everywhere(options.campaign, options.settings, comm);
     RunOptions run_options;
-    run_options.text = text;
+    run_options.merge = {options.packing.layout(), text};
     run_options.output = output_of(options);
     run_options.resume = options.resume;
     run_options.extend = options.extend;
@@ -125,6 +126,7 @@ void add_run(CommandLine& line) {
                "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00; a bare number is seconds");
     verb.takes("--part", options->part, "I/N: only the I-th of N parts, for array jobs; merge puts them together");
     verb.takes("--progress", options->progress, "json: what is told on stderr as one JSON object a line", "json");
+    options->packing.offered_by(verb);
     options->text.offered_by(verb);
     verb.does([options] {
         validate(!options->progress || *options->progress == "json",

@@ -24,6 +24,17 @@ struct Unverified {
     [[nodiscard]] bool warn_if_changed(store::ResultsReader const& file, std::string const& path) const;
 };
 
+/// Option of verbs that write a results file.
+struct Packing {
+    bool packed = false;
+
+    void offered_by(Verb& verb) {
+        verb.takes("--packed", packed,
+                   "write a compressed results file: the same content in about a sixth of the size");
+    }
+    [[nodiscard]] store::Layout layout() const { return packed ? store::Layout::packed : store::Layout::plain; }
+};
+
 void add_new(CommandLine& line);
 void add_run(CommandLine& line);
 void add_plan(CommandLine& line);

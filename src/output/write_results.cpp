@@ -65,8 +65,8 @@ void write_provenance(store::ResultsWriter& file, std::string const& format, std
 std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
                                         std::function<std::vector<std::byte>(std::int64_t)> const& block,
-                                        Statistics& statistics, std::span<RareBody const> rare) {
-    store::ResultsWriter file(path);
+                                        Statistics& statistics, std::span<RareBody const> rare, store::Layout layout) {
+    store::ResultsWriter file(path, layout);
     write_campaign(file, input, spec);
     auto const waves = file.table(wave_table(spec), chosen.waves());
     std::vector<std::size_t> measures;

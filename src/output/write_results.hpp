@@ -29,6 +29,7 @@ void write_provenance(store::ResultsWriter& file, std::string const& format, std
 std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
                                         std::function<std::vector<std::byte>(std::int64_t)> const& block,
-                                        Statistics& statistics, std::span<RareBody const> rare = {});
+                                        Statistics& statistics, std::span<RareBody const> rare = {},
+                                        store::Layout layout = store::Layout::plain);
 
 }  // namespace overturn

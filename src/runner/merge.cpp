@@ -76,7 +76,7 @@ void require_same_program(CampaignInput const& begun, std::filesystem::path cons
 std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
                                         store::ShardFolder const& shards, std::function<bool()> const& keep_running,
-                                        std::span<RareBody const> rare, output::TextOptions const& options) {
+                                        std::span<RareBody const> rare, MergeOptions const& options) {
     Statistics statistics(spec);
     auto const block = [&](std::int64_t number) {
         if (!keep_running()) {
@@ -86,14 +86,15 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
     };
     std::vector<BodyAnalysis> analysis;
     try {
-        analysis = write_results(output, input, spec, drawn, chosen, block, statistics, rare);
+        analysis = write_results(output, input, spec, drawn, chosen, block, statistics, rare, options.layout);
     } catch (Interrupted const&) {
         return std::nullopt;
     }
     shards.remove();
-    tell_velocities(analysis, options.velocities ? options.velocities : typed_unit(spec, Dimension::velocity));
+    auto const& text = options.text;
+    tell_velocities(analysis, text.velocities ? text.velocities : typed_unit(spec, Dimension::velocity));
     store::ResultsReader const file(output, store::Trust::unverified);
-    auto const telling = options.wants("trials") ? telling_trials(spec, file) : std::vector<TellingTrial>{};
+    auto const telling = text.wants("trials") ? telling_trials(spec, file) : std::vector<TellingTrial>{};
     auto const few = trials_of_few_waves(spec, file);
     auto const hazard = stated_hazard(input, spec.levels);
     auto const frequencies =
@@ -109,7 +110,7 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
                                  .telling = telling,
                                  .hazard = hazard ? &*hazard : nullptr,
                                  .file = output.string()},
-                                options);
+                                text);
 }
 
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output, std::string_view flag) {
@@ -129,7 +130,7 @@ CampaignInput begun_campaign(std::filesystem::path const& output) {
     return input;
 }
 
-MergeEnd merge_parts(std::filesystem::path const& output, output::TextOptions const& options) {
+MergeEnd merge_parts(std::filesystem::path const& output, MergeOptions const& options) {
     if (std::filesystem::exists(output)) {
         store::ResultsReader const file(output);
         check_complete(output, input_of(file));

@@ -12,13 +12,20 @@
 #include "campaign/plan.hpp"
 #include "output/sections.hpp"
 #include "results/rare_rows.hpp"
+#include "store/results_file.hpp"
 #include "store/shards.hpp"
 
 namespace overturn {
 
+/// How the results file is laid out, and what of it is printed.
+struct MergeOptions {
+    store::Layout layout = store::Layout::plain;
+    output::TextOptions text{};
+};
+
 /// Writes the results file from the blocks of `drawn`, of which the waves `chosen` count, in the memory of one block
 /// and of twenty million trials (for the curves), and removes all once it is durable. \param keep_running asked before
-/// every block \param rare one per body, or none \param options what of the results is printed \return it; nothing, and
+/// every block \param rare one per body, or none \return what is printed; nothing, and
 /// all blocks as they were, if `keep_running` said no \throws SystemError if a block is missing or damaged, or the file
 /// cannot be written; the blocks stay
 [[nodiscard]] std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
@@ -26,14 +33,14 @@ namespace overturn {
                                                       store::ShardFolder const& shards,
                                                       std::function<bool()> const& keep_running,
                                                       std::span<RareBody const> rare = {},
-                                                      output::TextOptions const& options = {});
+                                                      MergeOptions const& options = {});
 
 /// End of merging the parts of an array job.
 enum class MergeEnd { complete, missing };
 
 /// Merges what `overturn run --part` left beside `output`, however many parts it was. Prints the results.
 /// \throws InputError if nothing was begun there, or a run is writing there now
-[[nodiscard]] MergeEnd merge_parts(std::filesystem::path const& output, output::TextOptions const& options = {});
+[[nodiscard]] MergeEnd merge_parts(std::filesystem::path const& output, MergeOptions const& options = {});
 
 /// The campaign that the unfinished run for `output` was begun with, by this program.
 /// \throws InputError if nothing was begun there, saying so, what it was is not on record, or another program began it

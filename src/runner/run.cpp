@@ -222,7 +222,7 @@ class Run {
             earlier_segments_ = shards_.segments();
             auto const tables = merge_blocks(
                 options_.output, input_, spec_, plan_, waves_.chosen(chosen_), shards_,
-                [&] { return stop_policy_.may_merge(); }, rare_.value_or(std::vector<RareBody>{}), options_.text);
+                [&] { return stop_policy_.may_merge(); }, rare_.value_or(std::vector<RareBody>{}), options_.merge);
             done_.seconds.store += seconds_since(begin);
             return tables.value_or("");
         });

@@ -6,8 +6,8 @@
 
 #include "campaign/campaign_input.hpp"
 #include "campaign/plan.hpp"
-#include "output/sections.hpp"
 #include "parallel/communicator.hpp"
+#include "runner/merge.hpp"
 
 namespace overturn {
 
@@ -16,9 +16,9 @@ struct RunOptions {
     bool resume = false;
     bool extend = false;  ///< rows of a finished file go into this one; implies resume
     double max_walltime_s = std::numeric_limits<double>::infinity();
-    Part part;                   ///< the whole, or one part of an array job, whose blocks wait for merge_parts
-    bool quiet = false;          ///< no table on stdout
-    output::TextOptions text{};  ///< sections of results to print
+    Part part;             ///< the whole, or one part of an array job, whose blocks wait for merge_parts
+    bool quiet = false;    ///< no table on stdout
+    MergeOptions merge{};  ///< layout of the file, and what of the results is printed
 };
 
 /// A part that is done is complete.

@@ -20,6 +20,12 @@ inline constexpr std::int64_t format_version = 5;
 inline constexpr char const* no_text = "(none)";       ///< the name of an empty text
 inline constexpr std::int64_t oldest_format_read = 3;  ///< earlier files are read by the program that made them
 
+/// How the columns of long tables lie in the file. Their content, and its digest, is the same.
+enum class Layout {
+    plain,  ///< as they are in memory
+    packed  ///< deflated in chunks of 16384 rows, their bytes shuffled before: a sixth of the size
+};
+
 /// A column is a field of rows; a group of them is appended row by row.
 struct TableSpec {
     std::string group;  ///< "trials", "waves/type-a"
@@ -39,7 +45,7 @@ struct TableSpec {
 class ResultsWriter {
   public:
     /// \throws SystemError if the file cannot be made
-    explicit ResultsWriter(std::filesystem::path path);
+    explicit ResultsWriter(std::filesystem::path path, Layout layout = Layout::plain);
     ~ResultsWriter();
     ResultsWriter(ResultsWriter const&) = delete;
     ResultsWriter& operator=(ResultsWriter const&) = delete;

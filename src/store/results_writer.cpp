@@ -14,9 +14,9 @@
 
 namespace overturn::store {
 
-ResultsWriter::ResultsWriter(std::filesystem::path path) : path_(std::move(path)), growing_path_(path_) {
+ResultsWriter::ResultsWriter(std::filesystem::path path, Layout layout) : path_(std::move(path)), growing_path_(path_) {
     growing_path_ += ".merging";
-    growing_ = std::make_unique<Growing>(growing_path_.string());
+    growing_ = std::make_unique<Growing>(growing_path_.string(), layout);
 }
 
 ResultsWriter::~ResultsWriter() {

@@ -41,6 +41,33 @@ TEST_F(Run, RanksDoNotMatter) {
     EXPECT_TRUE(folder.has("shared3.runtime.json"));
 }
 
+// R-1001: a packed file is a sixth of the size, the same bytes on any ranks and merged, and every verb reads it as the
+// plain one.
+TEST_F(Run, PackedIsSmallerAndTheSame) {
+    folder.write("c.toml",
+                 "title='many'\nseed=1\n[waves]\nsource='harmonic'\namplitude='1 m/s2'\n"
+                 "frequencies=['0.5 Hz','1 Hz','2 Hz','4 Hz','6 Hz','8 Hz']\ncycles=5\n[[bodies]]\nname='b'\n"
+                 "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n[levels]\n"
+                 "measure='pga'\nvalues={from='1 gal', to='500 gal', count=2800}\n");
+    auto const plain = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "plain.h5"}, "plain.h5");
+    auto const packed = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "packed.h5", "--packed"}, "packed.h5");
+    EXPECT_LT(packed.size(), plain.size() / 5);
+    expect_same(packed, bytes(mpirun(2, {"run", "c.toml", "-o", "two.h5", "--packed"}), "two.h5"), "two.h5");
+    for (auto const* part : {"1/2", "2/2"}) {
+        EXPECT_EQ(overturn(folder, {"run", "c.toml", "-o", "parts.h5", "--part", part}).code, 0);
+    }
+    expect_same(packed, bytes({OVERTURN_PROGRAM, "merge", "parts.h5", "--packed"}, "parts.h5"), "parts.h5");
+
+    auto const fitted = overturn(folder, {"fit", "plain.h5", "--json"});
+    EXPECT_EQ(fitted.code, 0) << fitted.err;
+    EXPECT_EQ(overturn(folder, {"fit", "packed.h5", "--json"}).out, fitted.out);
+    for (auto const& asked : {std::vector<std::string>{"verify", "packed.h5", "--sample", "40"},
+                              {"status", "packed.h5"},
+                              {"replay", "packed.h5", "--trial", "16700"}}) {
+        EXPECT_EQ(overturn(folder, asked).code, 0) << asked.front();
+    }
+}
+
 // R-1001, R-713: that holds on compliant points, in the plane and in space, and beside another cask that moves too;
 // every model answers some trial.
 TEST_F(Run, RanksDoNotMatterOnPoints) {

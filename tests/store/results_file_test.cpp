@@ -269,6 +269,63 @@ TEST_F(Results, PartsOfAnySizeGiveTheSameBytes) {
     }
 }
 
+// Long columns in chunks, of which the last is not full.
+void write_long_one(std::filesystem::path const& path, Layout layout, std::size_t part) {
+    ResultsWriter writer(path, layout);
+    writer.attribute("format", std::string(format_name));
+    writer.attribute("format_version", format_version);
+    auto const rows = some_rows(40'000);
+    auto spec = trials();
+    spec.axis = "trial";
+    auto const table = writer.table(spec, std::ssize(rows));
+    for (std::size_t at = 0; at < rows.size(); at += part) {
+        writer.append(table, bytes_of(std::span(rows).subspan(at, std::min(part, rows.size() - at))));
+    }
+    writer.array("stripes/type-a", amplitude_axis, std::vector{2.0, 4.0});
+    writer.finish();
+}
+
+// A packed file is smaller, has the same content with the same digest, and the same bytes however its rows came.
+TEST_F(Results, PackedTheContentIsTheSame) {
+    write_long_one(folder / "plain.h5", Layout::plain, 40'000);
+    write_long_one(path(), Layout::packed, 40'000);
+    for (std::size_t const part : {999, 16'384, 39'999}) {
+        write_long_one(folder / "parts.h5", Layout::packed, part);
+        EXPECT_TRUE(slurp(path()) == slurp(folder / "parts.h5")) << part;
+    }
+
+    ResultsReader const plain(folder / "plain.h5");
+    ResultsReader const packed(path());
+    EXPECT_LT(std::filesystem::file_size(path()), std::filesystem::file_size(folder / "plain.h5") / 3);
+    EXPECT_EQ(packed.text("content_sha256"), plain.text("content_sha256"));
+    EXPECT_EQ(packed.reals("trials/amplitude"), plain.reals("trials/amplitude"));
+    EXPECT_EQ(packed.integers("trials/verdict"), plain.integers("trials/verdict"));
+    EXPECT_EQ(packed.integers("trials/trial"), plain.integers("trials/trial"));
+    std::vector<Row> across(20);
+    packed.rows(trials(), 40'000, 16'380, std::as_writable_bytes(std::span(across)));
+    auto const written = some_rows(40'000);
+    for (std::size_t i = 0; i < across.size(); ++i) {
+        EXPECT_EQ(across[i].amplitude, written[16'380 + i].amplitude);
+        EXPECT_EQ(across[i].verdict, written[16'380 + i].verdict);
+    }
+}
+
+// R-1105.
+TEST_F(Results, PackedOnAFullDiskIsReportedAndNothingIsLeft) {
+    write_long_one(folder / "whole.h5", Layout::packed, 1000);
+    auto const whole = std::filesystem::file_size(folder / "whole.h5");
+    std::filesystem::remove(folder / "whole.h5");
+    constexpr std::size_t steps = 8;
+    for (std::size_t i = 0; i < steps; ++i) {
+        {
+            FullDisk const disk(whole * i / steps);
+            expect_system_error([&] { write_long_one(path(), Layout::packed, 1000); }, "HDF5: cannot",
+                                "File too large");
+        }
+        EXPECT_TRUE(std::filesystem::is_empty(folder.path())) << whole * i / steps;
+    }
+}
+
 TEST_F(Results, UnfinishedFileNeverBearsTheName) {
     spill(path(), "an earlier result");
     {

@@ -8,6 +8,20 @@ PropertyList dataset_properties() {
     return properties;
 }
 
+void pack(PropertyList const& made, PropertyList const& access, hsize_t rows) {
+    constexpr hsize_t chunk = 1 << 14;
+    constexpr unsigned level = 1;  // 6 makes files 5 % smaller and takes three times as long
+    constexpr std::size_t slots = 7;
+    constexpr double drop_full_ones = 1;
+    if (rows <= chunk) {
+        return;
+    }
+    checked(H5Pset_chunk(made.id(), 1, &chunk), "set chunks");
+    checked(H5Pset_shuffle(made.id()), "set the order of bytes");
+    checked(H5Pset_deflate(made.id(), level), "set compression");
+    checked(H5Pset_chunk_cache(access.id(), slots, chunk * sizeof(double), drop_full_ones), "set the memory of chunks");
+}
+
 void write_rows(Dataset const& dataset, hid_t memory_type, void const* values, std::int64_t first, std::int64_t count,
                 std::string const& name) {
     auto const start = static_cast<hsize_t>(first);

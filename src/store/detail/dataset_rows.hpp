@@ -11,6 +11,10 @@ namespace overturn::store {
 /// Identical content gives identical bytes: no object times, default library version, storage allocated when created.
 [[nodiscard]] PropertyList dataset_properties();
 
+/// Lays a column of more than one chunk out in chunks, shuffled and deflated; a shorter one stays as it is.
+/// \param access keeps the one chunk in memory that is being filled
+void pack(PropertyList const& made, PropertyList const& access, hsize_t rows);
+
 /// Writes `count` rows from `first` on.
 void write_rows(Dataset const& dataset, hid_t memory_type, void const* values, std::int64_t first, std::int64_t count,
                 std::string const& name);

@@ -11,7 +11,7 @@
 
 namespace overturn::store {
 
-ResultsWriter::Growing::Growing(std::string const& path) {
+ResultsWriter::Growing::Growing(std::string const& path, Layout how) : layout(how) {
     require_memory_for_hdf5();
     // Ours alone by the run's claim: HDF5's own lock would fail where a file system has none.
     PropertyList const access(checked(H5Pcreate(H5P_FILE_ACCESS), "make file properties"));
@@ -60,8 +60,12 @@ Dataset ResultsWriter::Growing::create(std::string const& where, Field const& sp
     auto const size = static_cast<hsize_t>(rows);
     Dataspace const space(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
     auto const properties = dataset_properties();
+    PropertyList const access(checked(H5Pcreate(H5P_DATASET_ACCESS), "make dataset properties"));
+    if (layout == Layout::packed) {
+        pack(properties, access, size);
+    }
     Dataset dataset(checked(
-        H5Dcreate2(group(where).id(), spec.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), H5P_DEFAULT),
+        H5Dcreate2(group(where).id(), spec.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), access.id()),
         "create " + where + "/" + spec.name));
     describe(dataset, spec);
     return dataset;

@@ -29,7 +29,7 @@ struct ResultsWriter::Growing {
     };
 
     /// \throws SystemError if the file cannot be made
-    explicit Growing(std::string const& path);
+    Growing(std::string const& path, Layout layout);
 
     /// Writes the rows that wait.
     void write(Table& table);
@@ -49,6 +49,7 @@ struct ResultsWriter::Growing {
     /// Lets everything go unclosed: HDF5 cannot close a file that it could not write (it crashes).
     void abandon();
 
+    Layout layout;
     Quiet quiet;
     File file;
     ColumnTypes types;
