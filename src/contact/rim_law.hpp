@@ -1,5 +1,6 @@
 /// A continuous rim, disc or ring: how it presses and damps, without points and so without directions. In space it is
-/// spatial/detail/rim_force-inl.hpp; here what both rest on, and the base in its rocking plane, in plain arithmetic.
+/// spatial/detail/rim_pressure-inl.hpp and face_pressure-inl.hpp; here what both rest on, and the base in its rocking
+/// plane, in plain arithmetic.
 #pragma once
 
 #include <optional>

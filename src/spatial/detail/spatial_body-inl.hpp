@@ -1,5 +1,6 @@
 // What a body in space is to the forces on its base, in any vector width: lanes, balance of momentum. Included once per
-// instruction set, so without a #pragma once; by point_force-inl.hpp and rim_force-inl.hpp only.
+// instruction set, so without a #pragma once; by point_force-inl.hpp, continuous_base-inl.hpp and patch_force-inl.hpp
+// only.
 #if defined(OVERTURN_SPATIAL_BODY) == defined(HWY_TARGET_TOGGLE)
 #ifdef OVERTURN_SPATIAL_BODY
 #undef OVERTURN_SPATIAL_BODY

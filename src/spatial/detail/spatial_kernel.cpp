@@ -27,8 +27,8 @@ template <class Force, class Lanes> std::uint32_t step_until_care(Lanes& lanes, 
 
 template <class V, int Stride> std::uint32_t step_lanes(SpatialLanes<Stride>& lanes, bool once) {
     return lanes.points > 0 ? step_until_care<PointForce<V, Stride>>(lanes, once)
-           : lanes.disc     ? step_until_care<RimForce<V, Stride, Bears::face>>(lanes, once)
-                            : step_until_care<RimForce<V, Stride, Bears::rim>>(lanes, once);
+           : lanes.disc     ? step_until_care<PatchForce<FacePressure<V, Stride>>>(lanes, once)
+                            : step_until_care<PatchForce<RimPressure<V, Stride>>>(lanes, once);
 }
 
 std::uint32_t many_lanes(SpatialLanes<simd::most_lanes>& lanes, int used) {

@@ -7,8 +7,10 @@
 #define OVERTURN_SPATIAL_STEP
 #endif
 
+#include "spatial/detail/face_pressure-inl.hpp"
+#include "spatial/detail/patch_force-inl.hpp"
 #include "spatial/detail/point_force-inl.hpp"
-#include "spatial/detail/rim_force-inl.hpp"
+#include "spatial/detail/rim_pressure-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace overturn::spatial::HWY_NAMESPACE {
