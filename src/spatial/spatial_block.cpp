@@ -86,9 +86,9 @@ SpatialBlock spatial_block(RigidBody const& body, Footing const& footing, std::o
         block.inner_m = footing.base.inner_radius_m;
     }
     validate(!block.inner_m || !footing.pad.strength_pa,
-             "a disc or ring on a pad of {} Pa strength (what it crushes it would have to remember by place). Leave "
-             "bedding out and state points: its rim then stands on {}, each of which yields",
-             footing.pad.strength_pa.value_or(0), BasePlan::points_around);
+             "a disc or ring on a pad of {} Pa strength (what it crushes it would have to remember by place). State a "
+             "flat square base, whose bed yields, or leave strength out",
+             footing.pad.strength_pa.value_or(0));
     validate(!block.rim || !footing.pad.strength_pa,
              "a continuous rim on a pad of {} Pa strength (what it crushes it would have to remember by place). State "
              "the base's points: {}",

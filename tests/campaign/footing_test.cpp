@@ -109,7 +109,8 @@ TEST(Footing, WhatCannotStandIsRefusedAtItsKey) {
     refused("base={shape='round', inner_diameter='1 m'}\n", "inner_diameter", "bedding = \"flat\"");
     refused("base={bedding='flat', inner_diameter='1 m'}\n", "inner_diameter", "only a round base");
     refused("base={shape='round', bedding='flat', inner_diameter='1.36 m'}\n", "nothing is left that bears");
-    refused("base={shape='round', bedding='flat'}\npad={strength='30 MPa'}\n", "disc or ring", "strength");
+    refused("base={shape='round', bedding='flat'}\npad={strength='30 MPa'}\n", "disc or ring", "strength",
+            "flat square base");
     refused("base={shape='polygon', bedding='flat', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n",
             "bedding", "polygon");
     refused("base={shape='round', points=18}\n", "multiple of 4");
