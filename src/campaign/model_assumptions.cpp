@@ -50,6 +50,13 @@ Bears where_pads_are_elastic(CampaignSpec const& spec) {
     return of_bodies(spec, [&](BodySpec const& body) { return !body.footing.pad.strength_pa || !allows_a_bed(spec); });
 }
 
+Bears on_points_round_a_rim(CampaignSpec const& spec) {
+    return of_bodies(spec, [&](BodySpec const& body) {
+        auto const& base = body.footing.base;
+        return base.shape == BaseShape::round && !base.continuous() && allows_a_bed(spec);
+    });
+}
+
 Bears on_springs(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::yes : Bears::no; }
 
 Bears where_no_site(CampaignSpec const& spec) { return spec.site.has_gaps() ? Bears::no : Bears::yes; }
@@ -133,6 +140,12 @@ constexpr std::array assumptions{
     ModelAssumption{"elastic-pad", "the pad is not crushed", Misjudged::unsafe, "bodies.pad.strength",
                     "overturned of 400, flat base (A): 154 elastic, 160 on 10 MPa, 224 on 3 MPa",
                     "campaigns/pad_strength.toml", where_pads_are_elastic},
+    ModelAssumption{"rim-of-points",
+                    "a round base on a pad that yields stands on points of its rim, as one on stated points",
+                    Misjudged::unknown, "bodies.base.points",
+                    "300 trials (A, 3 MPa): 127 fall on 64 points, 119 and 126 on turned ones, 126 on 256; a pulse "
+                    "turned in plan tilts by 0.704 to 0.707 alpha, its way of slip is 23 to 77 mm",
+                    "src/contact/README.md; campaigns/guide/supports.md", on_points_round_a_rim},
     ModelAssumption{
         "constant-friction", "friction is Coulomb's: its coefficients depend on neither velocity, pressure nor wear",
         Misjudged::unknown, "bodies.friction", "of 100 at 1200 gal (B), friction 0.2, 0.55, 0.8: 0, 82 and 82 overturn",

@@ -1,5 +1,6 @@
 #include "contact/base_layout.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -26,9 +27,10 @@ void validate_pad(Pad const& pad) {
 // A rim as the rocking plane sees it: points on either side of the plane coincide in pairs, as one of twice the share.
 std::vector<ContactPoint> rim(int around, double radius_m) {
     validate(
-        around >= 16 && around <= 64 && around % 4 == 0,
-        "a round base of {} points (it takes 16 to 64, a multiple of 4). Leave them out: its rim is then continuous",
-        around);
+        around >= 16 && around <= BasePlan::most_points_around && around % 4 == 0,
+        "a round base of {} points (it takes 16 to {}, a multiple of 4). Leave them out: its rim is then continuous",
+        around, BasePlan::most_points_around);
+    around = std::min(around, BasePlan::points_around);
     std::vector<ContactPoint> points;
     for (int i = around / 2; i >= 0; --i) {
         bool const edge = i == 0 || i == around / 2;

@@ -190,43 +190,69 @@ void add_match_knobs(std::vector<Knob>& knobs, CampaignInput const& input) {
     knobs.push_back(std::move(iterations));
 }
 
-/// "bodies.0.base={...}" for every bed: how many points it takes from corner to corner.
-std::vector<std::string> beds_of(CampaignSpec const& spec, int points) {
-    std::vector<std::string> settings;
-    for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
-        auto const& base = spec.bodies[i].stated_footing.base;
-        if (base.is_bed()) {
-            auto const bedding = base.corner_share ? fmt::format("{}", *base.corner_share) : R"("flat")";
-            settings.push_back(
-                fmt::format(R"(bodies.{}.base={{shape="square",bedding={},points={}}})", i, bedding, points));
-        }
-    }
-    return settings;
+bool is_rim_of_points(BasePlan const& base) { return base.shape == BaseShape::round && !base.continuous(); }
+std::string stated_rim(BasePlan const& /*base*/) { return R"(shape="round")"; }
+std::string stated_bed(BasePlan const& base) {
+    return fmt::format(R"(shape="square",bedding={})",
+                       base.corner_share ? fmt::format("{}", *base.corner_share) : R"("flat")");
 }
 
-// None where beds differ: no one position is the campaign's.
-void add_points_knob(std::vector<Knob>& knobs, CampaignInput const& input, CampaignSpec const& spec) {
+/// Bases that stand on points, and what a file states of them.
+struct PointedBases {
+    char const *name, *title;
+    std::vector<int> counts;  // to try; the most is the reference
+    bool (*holds)(BasePlan const& base);
+    std::string (*stated)(BasePlan const& base);  // but for its points
+
+    /// "bodies.0.base={...}" for every such base.
+    [[nodiscard]] std::vector<std::string> settings(CampaignSpec const& spec, int points) const {
+        std::vector<std::string> settings;
+        for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
+            if (auto const& base = spec.bodies[i].stated_footing.base; holds(base)) {
+                settings.push_back(fmt::format("bodies.{}.base={{{},points={}}}", i, stated(base), points));
+            }
+        }
+        return settings;
+    }
+};
+
+PointedBases beds() {
+    return {"points",
+            "points of a bed from corner to corner",
+            {5, 7, 9, 11, 15, 21, 31, 41},
+            [](BasePlan const& base) { return base.is_bed(); },
+            &stated_bed};
+}
+
+PointedBases rims() {
+    return {"rim_points", "points round a rim", {16, 32, 64, 128, 256}, &is_rim_of_points, &stated_rim};
+}
+
+// None where such bases differ: no one position is the campaign's.
+void add_points_knob(std::vector<Knob>& knobs, CampaignInput const& input, CampaignSpec const& spec,
+                     PointedBases const& bases) {
     std::set<int> own;
     for (auto const& body : spec.bodies) {
-        if (body.stated_footing.base.is_bed()) {
-            own.insert(body.stated_footing.base.points);
+        if (auto const& base = body.stated_footing.base; bases.holds(base)) {
+            own.insert(base.points);
         }
     }
     auto const refused = [&](int points) {
-        return !std::ranges::all_of(beds_of(spec, points), [&](auto const& setting) { return takes(input, setting); });
+        return !std::ranges::all_of(bases.settings(spec, points),
+                                    [&](auto const& setting) { return takes(input, setting); });
     };
-    std::vector<int> points{5, 7, 9, 11, 15, 21, 31, 41};
+    auto points = bases.counts;
     std::erase_if(points, refused);
     if (own.size() != 1 || points.empty()) {
         return;
     }
-    Knob knob{"points", "points of a bed from corner to corner", peak_error, "trial", Acts::trials, {}, {}};
+    Knob knob{bases.name, bases.title, peak_error, "trial", Acts::trials, {}, {}};
     auto const most = std::max(points.back(), *own.begin());
     fill(knob, points, *own.begin(), true, [&](int count) {
-        return Setting{fmt::format("{}", count), beds_of(spec, count), static_cast<double>(count)};
+        return Setting{fmt::format("{}", count), bases.settings(spec, count), static_cast<double>(count)};
     });
     knob.reference = reference_settings();
-    std::ranges::copy(beds_of(spec, most), std::back_inserter(knob.reference));
+    std::ranges::copy(bases.settings(spec, most), std::back_inserter(knob.reference));
     knobs.push_back(std::move(knob));
 }
 
@@ -255,7 +281,8 @@ std::vector<Knob> knobs_of(CampaignInput const& input, CampaignSpec const& spec)
                                   spec.accuracy.contact.step_ratio));
         knobs.back().reference = contact_reference_settings();
     }
-    add_points_knob(knobs, input, spec);
+    add_points_knob(knobs, input, spec, beds());
+    add_points_knob(knobs, input, spec, rims());
     knobs.push_back(effects_knob(spec, scenes));
     auto const of_effects = effects_reference_settings(spec);
     bool const same = spec.effects.mode == EffectMode::automatic && of_effects.back() == automatic_effects;

@@ -51,7 +51,8 @@ struct Study {
     std::optional<RareCost> rare;  ///< where the campaign has rare events
     Balance balance;
     std::string sentence;
-    bool is_grid = false;  ///< its waves are a grid and no sample: no results on sampling
+    bool continuous = false;  ///< some base presses all along, without points
+    bool is_grid = false;     ///< its waves are a grid and no sample: no results on sampling
 };
 
 struct StudyOptions {

@@ -89,6 +89,10 @@ std::string study_text(Study const& study) {
         rounding.flips, rounding.trials);
     text += "> where the campaign stands   * on the Pareto front: nothing is both faster and more accurate\n";
     append_step_error(text, study.step_error);
+    if (study.continuous) {
+        text +=
+            "\nA round base without points presses all along its rim or face: it has no number of points to choose.\n";
+    }
     for (auto const& result : study.knobs) {
         append_knob(text, result);
     }

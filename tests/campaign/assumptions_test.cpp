@@ -86,6 +86,8 @@ TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {
     EXPECT_EQ(bears("corner-contact", plain), Bears::yes);
     EXPECT_EQ(bears("corner-contact", body("base={bedding='flat'}\n")), Bears::no);
     EXPECT_EQ(bears("elastic-pad", body("pad={strength='30 MPa'}\n")), Bears::no);
+    EXPECT_EQ(bears("rim-of-points", body("base={shape='round'}\npad={strength='30 MPa'}\n")), Bears::yes);
+    EXPECT_EQ(bears("rim-of-points", body("base={shape='round'}\n")), Bears::no);
     EXPECT_EQ(bears("no-slip", plain), Bears::yes);
     EXPECT_EQ(bears("no-slip", body("friction=0.5\n")), Bears::no);
     EXPECT_EQ(bears("no-slip", body("friction=0.5\n") + "[effects]\nmode='none'\n"), Bears::yes);

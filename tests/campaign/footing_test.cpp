@@ -72,6 +72,9 @@ TEST(Footing, OnlyAStatedRestitutionTunesABed) {
     EXPECT_TRUE(read("pad={vertical_frequency='67 Hz'}\n").footing.pad.match_restitution);
     auto const yields = read("base={shape='round'}\npad={strength='30 MPa'}\n").footing;
     EXPECT_EQ(yields.base.points, 64);
+    auto const finer = read("base={shape='round', points=128}\npad={strength='30 MPa'}\n").footing;
+    EXPECT_EQ(finer.base.points, 128);
+    EXPECT_EQ(finer.matched->restitution, yields.matched->restitution) << "a plane takes 64 at most";
     EXPECT_FALSE(yields.pad.match_restitution) << "a rim keeps its own where the pad yields under it";
     EXPECT_TRUE(
         read("restitution=0.72\nbase={shape='round'}\npad={strength='30 MPa'}\n").footing.pad.match_restitution);
@@ -114,6 +117,7 @@ TEST(Footing, WhatCannotStandIsRefusedAtItsKey) {
     refused("base={shape='polygon', bedding='flat', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n",
             "bedding", "polygon");
     refused("base={shape='round', points=18}\n", "multiple of 4");
+    refused("base={shape='round', points=260}\n", "16 to 256");
     refused("base={width=3}\n", "width");
     refused("base={shape='polygon'}\n", "corners");
     refused("base={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68]]}\n", "2 corners");

@@ -67,6 +67,9 @@ TEST(Plausible, SlipsInABodyGetOne) {
     expect_told(with("offset=0.6\naxes=1"), "offset 0.6 m is 0.35 of half the width");
     expect_told(with("pad={vertical_frequency=2}"), "pad.vertical_frequency 2 Hz");
     expect_told(with("pad={strength='1000 MPa'}"), "pad.strength 1000 MPa");
+    expect_told(with("base={shape='round', points=32}"), "a rim of 32 points (none: the rim is continuous");
+    expect_told(with("base={shape='round', points=32}\npad={strength='30 MPa'}"), "64 or more on a pad that yields");
+    EXPECT_TRUE(with("base={shape='round'}\npad={strength='30 MPa'}").empty());
     expect_told(with("pad={normal_restitution=0.95, match_restitution=false}"), "pad.normal_restitution 0.95");
     expect_told(with("pad={tangential_ratio=80}"), "pad.tangential_ratio 80");
     expect_told(with("pad={tangential_damping=30}"), "pad.tangential_damping 30 (a fraction of critical");

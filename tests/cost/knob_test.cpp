@@ -134,6 +134,29 @@ TEST(Knobs, BedsHaveTheirPoints) {
 
     EXPECT_EQ(knob_named(knobs_from(with_bases("bedding='flat'", "bedding='flat', points=21")), "points"), nullptr);
     EXPECT_EQ(knob_named(knobs_from(with_bases("bedding='corners'", "shape='round'")), "points"), nullptr);
+    EXPECT_EQ(knob_named(knobs_from(flat), "rim_points"), nullptr);
+}
+
+// so have rims that stand on points, on a pad that yields or as stated; a continuous one has none.
+TEST(Knobs, RimsOnPointsHaveThem) {
+    auto const on_pad = [](std::string const& base, std::string const& pad) {
+        return quick_waves + type_b + "base={" + base + "}\npad={" + pad + "}\n" + levels("values=[4]\n");
+    };
+    auto const yields = on_pad("shape='round'", "strength='30 MPa'");
+    auto const knobs = knobs_from(yields);
+    auto const* const points = knob_named(knobs, "rim_points");
+    ASSERT_NE(points, nullptr);
+    EXPECT_EQ(here(knobs, "rim_points"), "64");
+    EXPECT_EQ(points->settings.front().label, "16");
+    EXPECT_EQ(points->settings.back().label, "256");
+    auto const few = parse_campaign(with(input_from(yields), points->settings.front().settings));
+    EXPECT_EQ(few.bodies[0].footing.base.points, 16);
+    EXPECT_EQ(few.bodies[0].footing.pad.strength_pa, 30e6);
+    EXPECT_EQ(parse_campaign(with(input_from(yields), points->reference)).bodies[0].footing.base.points, 256);
+    EXPECT_EQ(knob_named(knobs, "points"), nullptr);
+
+    EXPECT_EQ(here(knobs_from(on_pad("shape='round', points=100", "")), "rim_points"), "100");
+    EXPECT_EQ(knob_named(knobs_from(on_pad("shape='round'", "")), "rim_points"), nullptr);
 }
 
 }  // namespace

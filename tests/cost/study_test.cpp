@@ -170,6 +170,16 @@ TEST_F(StudyOfThree, RepeatsInAllButTimes) {
     EXPECT_EQ(again.sentence, study().sentence);
 }
 
+//
+TEST_F(StudyOfThree, TellsOfBasesWithoutPoints) {
+    constexpr auto told = "it has no number of points to choose";
+    EXPECT_EQ(study_text(study()).find(told), std::string::npos);
+    auto const round =
+        testing::quick_waves + testing::type_b + "base={shape='round'}\n" + testing::levels("values=[4]\n");
+    auto const of_rim = run_study(input_from(round), {.waves = 1, .timing_s = 0}, [](double, double) {});
+    EXPECT_NE(study_text(of_rim).find(told), std::string::npos);
+}
+
 TEST_F(StudyOfThree, FileHoldsWhatWasFound) {
     testing::TemporaryFolder const folder;
     write_study(folder / "cost.h5", input_from(text), study());

@@ -1,5 +1,5 @@
 // Requirement R-606: the continuous rim is the limit of many points, of equal law: of force, restitution, what rolling
-// takes, and falls.
+// takes, and falls; and points that yield are enough.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -99,6 +99,16 @@ class TwoNoises {
   public:
     [[nodiscard]] testing::Shaking shaking(double level) const { return {x_, y_, step_s, level}; }
     explicit TwoNoises(std::mt19937_64& random) : x_(drawn(random)), y_(drawn(random)) {}
+    [[nodiscard]] TwoNoises turned(double angle_rad) const {
+        auto other = *this;
+        double const c = std::cos(angle_rad);
+        double const s = std::sin(angle_rad);
+        for (std::size_t i = 0; i < x_.size(); ++i) {
+            other.x_[i] = c * x_[i] - s * y_[i];
+            other.y_[i] = s * x_[i] + c * y_[i];
+        }
+        return other;
+    }
 
   private:
     static constexpr double step_s = 0.01;
@@ -133,43 +143,102 @@ class TwoNoises {
     std::vector<double> x_, y_;
 };
 
-TEST(SpatialRimLimit, PointsFallAsOftenAsTheRim) {
-    constexpr std::size_t count = 40;
+std::vector<TwoNoises> noises(std::size_t count) {
     std::mt19937_64 random(606);
     std::vector<TwoNoises> waves;
     for (std::size_t i = 0; i < count; ++i) {
         waves.emplace_back(random);
     }
-    constexpr std::array levels{6.6, 7.0, 7.4};
-    auto const falls = [&](Footing const& footing) {
-        auto const block = standing(body_a(), footing, 0.8);
-        std::vector<SpatialTrial> trials;
-        for (auto const& wave : waves) {
-            for (double const level : levels) {
-                trials.push_back({&block, wave.shaking(level).excitation()});
-            }
+    return waves;
+}
+
+std::vector<bool> falls(Footing const& footing, std::vector<TwoNoises> const& waves,
+                        std::vector<double> const& levels) {
+    auto const block = standing(body_a(), footing, 0.8);
+    std::vector<SpatialTrial> trials;
+    for (auto const& wave : waves) {
+        for (double const level : levels) {
+            trials.push_back({&block, wave.shaking(level).excitation()});
         }
-        std::vector<SpatialOutcome> outcomes(trials.size());
-        simulate_spatial(trials, {}, outcomes);
-        return outcomes;
-    };
-    auto const of_rim = falls(round_base());
+    }
+    std::vector<SpatialOutcome> outcomes(trials.size());
+    simulate_spatial(trials, {}, outcomes);
+    std::vector<bool> fell;
+    for (auto const& outcome : outcomes) {
+        fell.push_back(outcome.verdict == Verdict::overturned);
+    }
+    return fell;
+}
+
+void expect_as_many(std::vector<bool> const& found, std::vector<bool> const& of_limit, int at_least) {
+    int more = 0;
+    int fewer = 0;
+    int both = 0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        more += found[i] && !of_limit[i] ? 1 : 0;
+        fewer += of_limit[i] && !found[i] ? 1 : 0;
+        both += of_limit[i] && found[i] ? 1 : 0;
+    }
+    EXPECT_GT(both, at_least);
+    EXPECT_LT(std::abs(more - fewer), 2 * std::sqrt(more + fewer) + 1) << more << " more, " << fewer << " fewer";
+}
+
+TEST(SpatialRimLimit, PointsFallAsOftenAsTheRim) {
+    auto const waves = noises(40);
+    std::vector const levels{6.6, 7.0, 7.4};
+    auto const of_rim = falls(round_base(), waves, levels);
     for (auto const& footing : {round_base(64), turned_polygon(64)}) {
-        auto const of_points = falls(footing);
-        int more = 0;
-        int fewer = 0;
-        int both = 0;
-        for (std::size_t i = 0; i < of_rim.size(); ++i) {
-            bool const point = of_points[i].verdict == Verdict::overturned;
-            bool const rim = of_rim[i].verdict == Verdict::overturned;
-            more += point && !rim ? 1 : 0;
-            fewer += rim && !point ? 1 : 0;
-            both += rim && point ? 1 : 0;
+        expect_as_many(falls(footing, waves, levels), of_rim, 20);
+    }
+}
+
+Footing crushed_rim(int points) {
+    auto footing = round_base(points);
+    footing.pad.strength_pa = 3e6;
+    return footing;
+}
+
+// Where they yield, which is by place: as many fall whatever the direction, and on twice as many points.
+TEST(SpatialRimLimit, YieldingPointsFallAsOftenAsMoreOfThem) {
+    auto const waves = noises(30);
+    std::vector<TwoNoises> turned;
+    for (auto const& wave : waves) {
+        turned.push_back(wave.turned(pi / BasePlan::points_around));
+    }
+    auto const of_more = falls(crushed_rim(2 * BasePlan::points_around), waves, {7.0});
+    expect_as_many(falls(crushed_rim(BasePlan::points_around), waves, {7.0}), of_more, 12);
+    expect_as_many(falls(crushed_rim(BasePlan::points_around), turned, {7.0}), of_more, 12);
+}
+
+// One pulse that yields them, turned in plan: how far the directions differ.
+TEST(SpatialRimLimit, YieldingPointsKnowLittleOfDirections) {
+    struct Law {
+        int points;
+        double tilt, yaw_rad;
+    };
+    auto const pulse = testing::sine(7.5, 0.7, 1, 0.5, 0.01);
+    for (auto const& law : {Law{64, 6e-3, 0.05}, {128, 1e-3, 0.01}, {256, 5e-4, 5e-3}}) {
+        auto const block = standing(body_a(), crushed_rim(law.points), 0.8);
+        double least = 1;
+        double most = 0;
+        double yaw = 0;
+        for (double const degrees : {0.0, 1.4, 2.8125, 60.0}) {
+            auto x = pulse;
+            auto y = pulse;
+            for (std::size_t i = 0; i < pulse.size(); ++i) {
+                x[i] *= std::cos(degrees * pi / 180);
+                y[i] *= std::sin(degrees * pi / 180);
+            }
+            auto const out = testing::shaken(block, {x, y});
+            EXPECT_GT(out.extra.peak_crush_m, 1e-3);
+            EXPECT_EQ(out.verdict, Verdict::rocked) << law.points << " " << degrees;
+            least = std::min(least, out.peak_rotation_ratio);
+            most = std::max(most, out.peak_rotation_ratio);
+            yaw = std::max(yaw, out.extra.peak_yaw_rad);
         }
-        RecordProperty(fmt::format("falls_{}", footing.base.shape == BaseShape::round),
-                       fmt::format("both {} more {} fewer {}", both, more, fewer));
-        EXPECT_GT(both, 20);
-        EXPECT_LT(std::abs(more - fewer), 2 * std::sqrt(more + fewer) + 1) << more << " more, " << fewer << " fewer";
+        EXPECT_GT(least, 0.5);
+        EXPECT_LT(most / least, 1 + law.tilt) << law.points;
+        EXPECT_LT(yaw, law.yaw_rad) << law.points;
     }
 }
 

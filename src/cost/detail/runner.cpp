@@ -38,6 +38,8 @@ Runner::Runner(CampaignInput const& input, std::int64_t waves, int rounds, doubl
     study_.campaign_waves = plan_.waves();
     study_.campaign_trials = plan_.trials();
     study_.confidence = spec_.confidence;
+    study_.continuous =
+        std::ranges::any_of(spec_.bodies, [](BodySpec const& body) { return body.footing.base.continuous(); });
     for (auto& knob : knobs_of(input, spec_)) {
         study_.knobs.emplace_back().knob = std::move(knob);
     }
