@@ -87,7 +87,8 @@ struct WaveDescription {
     std::int64_t waves_alike = 1;  ///< so many in a row may share what was drawn, and are no independent samples
     /// The periods at which its waves are compared with what its target states; nothing if there is none.
     std::optional<ComparedPeriods> compared_periods = {};
-    std::vector<MeasuredWave> measured = {};  ///< each wave, where they were measured
+    std::optional<TargetPga> target_pga = {};  ///< of the horizontal target, where it is known
+    std::vector<MeasuredWave> measured = {};   ///< each wave, where they were measured
     /// The measured motion that the match of each wave began with, where one did; the source's own.
     std::span<GroundMotion const> began_with = {};
 };

@@ -44,6 +44,7 @@ SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<Fu
               // What lies beyond the target's own ends is compared with nothing that anybody stated.
               .compared_periods =
                   ComparedPeriods{target.first_period_s(), std::min(request.input.longest_s, target.last_period_s())},
+              .target_pga = target.pga(),
               .began_with = seeds_});
 }
 

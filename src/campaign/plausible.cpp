@@ -20,22 +20,49 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
+// A spectrum of 1 g is a shape for any design basis: RG 1.60 is printed so, and many files are normalised.
+bool is_shape(TargetPga const& target) {
+    constexpr double digits = 1e-3;
+    return std::abs(target.ordinate_mps2 / g0 - 1) < digits;
+}
+
+// Levels by another measure than pga cannot be compared with it.
+void add_other_pga(LevelSpec const& levels, double basis, TargetPga const& target, Lines& lines) {
+    constexpr double close = 0.02;
+    bool const near = basis >= target.least_mps2 * (1 - close) && basis <= target.most_mps2 * (1 + close);
+    if (levels.measure == measure_named("pga") && !near && !is_shape(target)) {
+        lines.push_back(
+            fmt::format("design basis {}, but the target spectrum has {} at {} (waves are scaled to the design basis, "
+                        "and take only their shape from the spectrum). If both are one earthquake, correct "
+                        "levels.design_basis, or pga, unit or scale of waves.target",
+                        levels.text(basis), levels.text(target.ordinate_mps2),
+                        target.period_s > 0 ? fmt::format("its shortest period, {:.3g} s", target.period_s)
+                                            : std::string("period 0")));
+    }
+}
+
+// Factor 1 is the target as it is stated.
+void add_other_factor(LevelSpec const& levels, double basis, std::optional<TargetPga> const& target, Lines& lines) {
+    constexpr double close = 0.02;
+    bool const shape = target && is_shape(*target);
+    if (levels.measure == measure_named("factor") && std::abs(basis - 1) > close && !shape) {
+        lines.push_back(
+            fmt::format("design basis factor {} (factor 1 is the motion as it is stated). State that of "
+                        "the design basis, and factor 1, if they are the same earthquake",
+                        levels.text(basis)));
+    }
+}
+
 void add_design_basis(CampaignSpec const& spec, Lines& lines) {
     auto const& levels = spec.levels;
-    for (auto const& level : levels.levels) {
-        if (level.purpose != LevelClass::design_basis) {
-            continue;
-        }
-        double const target = levels.measure == measure_named("factor") ? 1.0
-                              : levels.measure == measure_named("pga")  ? stated_number(spec, "waves.target.pga")
-                                                                        : never;
-        constexpr double close = 0.02;
-        if (std::abs(level.value / target - 1) > close) {
-            lines.push_back(fmt::format(
-                "design basis {} where the target is of {} (the waves of the target are another level). State one of "
-                "them as the other, if they are the same earthquake",
-                levels.text(level.value), levels.text(target)));
-        }
+    auto const basis = std::ranges::find(levels.levels, LevelClass::design_basis, &Level::purpose);
+    if (basis == levels.levels.end()) {
+        return;
+    }
+    auto const& target = spec.source->about().target_pga;
+    add_other_factor(levels, basis->value, target, lines);
+    if (target) {
+        add_other_pga(levels, basis->value, *target, lines);
     }
 }
 

@@ -23,6 +23,27 @@ int derivatives_to_acceleration(TargetKind kind) {
     return kind == TargetKind::acceleration ? 0 : kind == TargetKind::displacement ? 2 : 1;
 }
 
+// The ordinate is the ground's own from 33 Hz on (RG 1.60). On hard rock it is up to twice that there, and reaches it
+// at 100 Hz only.
+std::optional<TargetPga> pga_of(std::pair<double, double> const& first, std::pair<double, double> const& second) {
+    constexpr double rigid_s = 1 / 33.0;
+    constexpr double rigid_of_rock_s = 0.01;
+    constexpr double digits = 0.01;
+    auto const [period_s, ordinate] = first;
+    auto const reaches = [](double at_s, double end_s) { return at_s <= end_s * (1 + digits); };
+    if (!reaches(period_s, rigid_s)) {
+        return std::nullopt;
+    }
+    bool const level = reaches(second.first, rigid_s) && std::abs(second.second / ordinate - 1) < digits;
+    if (period_s == 0 || level) {
+        return TargetPga{ordinate, period_s, ordinate, ordinate};
+    }
+    constexpr double read_off = 0.1;
+    constexpr double on_rock = 0.5;
+    double const least = reaches(period_s, rigid_of_rock_s) ? 1 - read_off : on_rock;
+    return TargetPga{ordinate, period_s, least * ordinate, (1 + read_off) * ordinate};
+}
+
 void check_point(std::pair<double, double> const& point, std::pair<double, double> const* before) {
     auto const [period, value] = point;
     validate(period > 0 && std::isfinite(period), "period {} s (must be positive and finite). Mend it", period);
@@ -58,6 +79,7 @@ TargetSpectrum TargetSpectrum::from_points(std::string name, double damping, Tar
     validate(points.size() >= 2, "target '{}' has {} points (needs at least two). Add some", name, points.size());
     std::vector<TargetBranch> branches;
     double first_s = points.front().first;
+    auto const stated = points;
     if (first_s == 0 && kind == TargetKind::acceleration) {
         auto const [t1, v1] = points[1];
         double const pga = points.front().second;
@@ -82,6 +104,12 @@ TargetSpectrum TargetSpectrum::from_points(std::string name, double damping, Tar
     }
     TargetSpectrum target(std::move(name), damping, first_s, std::move(branches));
     target.energy_ = kind == TargetKind::energy_velocity;
+    if (!target.energy_) {
+        auto const ordinate = [&](std::pair<double, double> const& point) {
+            return std::pair(point.first, point.first == 0 ? point.second : target.psa_mps2(point.first));
+        };
+        target.pga_ = pga_of(ordinate(stated[0]), ordinate(stated[1]));
+    }
     return target;
 }
 
@@ -120,6 +148,11 @@ TargetSpectrum TargetSpectrum::scaled(double factor) const {
     validate(factor > 0 && std::isfinite(factor), "scale {} of target '{}' (must be positive). Mend it", factor, name_);
     auto copy = *this;
     copy.factor_ *= factor;
+    if (copy.pga_) {
+        copy.pga_->ordinate_mps2 *= factor;
+        copy.pga_->least_mps2 *= factor;
+        copy.pga_->most_mps2 *= factor;
+    }
     return copy;
 }
 
@@ -146,6 +179,7 @@ TargetSpectrum TargetSpectrum::at_damping(double damping, DampingRule rule) cons
              name_);
     auto copy = scaled(rule(damping) / rule(damping_));
     copy.damping_ = damping;
+    copy.pga_ = pga_;
     return copy;
 }
 

@@ -36,6 +36,13 @@ struct SpectrumShape {
     [[nodiscard]] double factor(double period_s) const;
 };
 
+/// The peak ground acceleration that a spectrum states or implies.
+struct TargetPga {
+    double ordinate_mps2 = 0;              ///< at period 0, or at the shortest period [m/s2]
+    double period_s = 0;                   ///< this period, as the target states it [s]
+    double least_mps2 = 0, most_mps2 = 0;  ///< where the peak ground acceleration lies [m/s2]
+};
+
 /// A target for one damping ratio. Immutable. It is defined from first_period_s to last_period_s; outside, psa goes on
 /// as constant acceleration below and as constant displacement above: see defined_at. A target of energy velocity
 /// stands where psv does, V_E = psv, and scales as a velocity.
@@ -52,6 +59,8 @@ class TargetSpectrum {
     [[nodiscard]] double psa_mps2(double period_s) const;
     [[nodiscard]] double psv_mps(double period_s) const;
     [[nodiscard]] bool defined_at(double period_s) const;
+    /// Of points that begin at 33 Hz or above, as those of RG 1.60 do; empty: not known. No damping rule changes it.
+    [[nodiscard]] std::optional<TargetPga> const& pga() const { return pga_; }
 
     /// True if psv_mps is to be read as V_E, and waves are to be compared by their input energy.
     [[nodiscard]] bool is_energy() const { return energy_; }
@@ -82,6 +91,7 @@ class TargetSpectrum {
     double factor_ = 1;
     double time_scale_ = 1;
     bool energy_ = false;
+    std::optional<TargetPga> pga_;
     SpectrumShape shape_;
 };
 

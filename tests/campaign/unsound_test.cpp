@@ -124,10 +124,6 @@ TEST(Plausible, MistypedCampaignsGetOne) {
                      "wave 0 is stronger vertically"));
     EXPECT_TRUE(told(lines(with("time_step='0.02 s'", "time_step='0.1 s'"), testing::levels("values=[3]\n")),
                      "time step of 0.1 s: nothing above 5 Hz"));
-    auto const rg = with("spectrum='mlit-ch1'\ntime_scale=0.632", "spectrum='rg-1.60'\npga='0.3 g'");
-    EXPECT_TRUE(
-        told(lines(rg, testing::levels("values=['0.3 g']\ndesign_basis='0.2 g'\n")), "design basis 0.2 g where"));
-    EXPECT_FALSE(told(lines(rg, testing::levels("values=['0.3 g']\ndesign_basis='0.3 g'\n")), "design basis"));
     for (auto const& line : lines(waves + "[waves.vertical]\nratio=0.667\n", testing::levels("values=[3, 6]\n"))) {
         EXPECT_EQ(line.find("time step"), std::string::npos) << line;
         EXPECT_EQ(line.find("vertically"), std::string::npos) << line;
@@ -179,6 +175,71 @@ TEST(Squat, BodiesStandByTheirStatedRestitution) {
     for (auto const* without : {"", "restitution='housner'\n"}) {
         testing::expect_input_error([&] { (void)read(without, ""); }, "Housner's restitution is -0.03846");
     }
+}
+
+std::vector<std::string> of_target(std::string const& target, std::string const& levels) {
+    auto waves = testing::quick_waves;
+    std::string const before = "spectrum='mlit-ch1'\ntime_scale=0.632";
+    waves.replace(waves.find(before), before.size(), target);
+    auto const by = levels.starts_with("measure") ? "[levels]\n" + levels : testing::levels(levels);
+    return warnings_of(testing::campaign_from(waves + testing::type_b + by));
+}
+std::string points(char const* first_two, std::string const& more = {}) {
+    return fmt::format("points=[{},[1,3],[10,0.3]]\nkind='acceleration'\n{}", first_two, more);
+}
+
+TEST(Unsound, DesignBasisThatIsNotTheTargets) {
+    auto const basis = [](std::string const& level) {
+        return fmt::format("values=['{0}']\ndesign_basis='{0}'\n", level);
+    };
+    auto const rg = [](std::string const& more) { return "spectrum='rg-1.60'\n" + more; };
+    struct Case {
+        std::string target, level;
+        char const* said;  // empty: nothing
+    };
+    for (auto const& [target, level, said] : std::vector<Case>{
+             {rg("pga='0.3 g'"), "0.2 g",
+              "design basis 0.2 g, but the target spectrum has 0.3 g at its shortest period"},
+             {rg("pga='0.3 g'\nscale=2"), "0.3 g", "has 0.6 g at its shortest period, 0.01 s"},
+             {rg("pga='0.3 g'\nscale=2"), "0.6 g", ""},
+             {rg("pga='0.3 g'\ntime_scale=0.5"), "0.3 g", ""},
+             {rg(""), "0.3 g", ""},  // printed for 1 g: a shape
+             {points("[0,3],[0.1,7]"), "400 gal",
+              "design basis 400 gal, but the target spectrum has 300 gal at period 0"},
+             {points("[0,3],[0.1,7]"), "310 gal", "has 300 gal at period 0"},
+             {points("[0,3],[0.1,7]"), "295 gal", ""},
+             {points("[0,3],[0.1,7]", "stated_damping=0.02\ndamping_rule='eurocode-8'\n"), "300 gal", ""},
+             {points("[0,3],[0.1,7]", "scale=0.5\n"), "300 gal", "has 150 gal at period 0"},
+             {points("[0,1],[0.1,2]", "unit='g'\n"), "0.3 g", ""},
+             {points("[0.01,3],[0.1,7]"), "280 gal", ""},
+             {points("[0.01,3],[0.1,7]"), "320 gal", ""},
+             {points("[0.01,3],[0.1,7]"), "240 gal", "300 gal at its shortest period, 0.01 s"},
+             {points("[0.02,3],[0.03,3]"), "200 gal", "300 gal at its shortest period, 0.02 s"},
+             {points("[0.03,3],[0.1,7]"), "200 gal", ""},  // as on hard rock
+             {points("[0.03,3],[0.1,7]"), "140 gal", "300 gal at its shortest period, 0.03 s"},
+             {points("[0.02,3],[0.1,7]"), "400 gal", "300 gal at its shortest period, 0.02 s"},
+             {points("[0.05,3],[0.1,3]"), "600 gal", ""},  // not known
+             {"spectrum='mlit-ch1'", "600 gal", ""},       // of engineering bedrock
+             {"points=[[0.01,0.01],[1,0.3]]\nkind='pseudo-velocity'", "200 gal", "628.319 gal at its shortest period"},
+             {"points=[[0.01,0.01],[1,0.3]]\nkind='energy-velocity'", "200 gal", ""}}) {
+        auto const lines = of_target(target, basis(level));
+        EXPECT_TRUE(*said != '\0' ? told(lines, said) : !told(lines, "target spectrum has")) << target << level << said;
+    }
+    auto const all = of_target(points("[0,3],[0.1,7]"), basis("400 gal"));
+    EXPECT_TRUE(told(all, "correct levels.design_basis, or pga, unit or scale of waves.target"));
+    EXPECT_FALSE(told(of_target(points("[0,3],[0.1,7]"), "values=['400 gal']\n"), "target spectrum"));
+    EXPECT_FALSE(
+        told(of_target(points("[0,3],[0.1,7]"), "measure='pgv'\nvalues=[0.4]\ndesign_basis=0.4\n"), "target spectrum"));
+}
+
+// Factors are of the motion as it is stated; one printed for 1 g is stated for none.
+TEST(Unsound, DesignBasisThatIsAFactorOfTheMotion) {
+    auto const lines = [](std::string const& target, char const* factor) {
+        return of_target(target, fmt::format("measure='factor'\nvalues=[3]\ndesign_basis={}\n", factor));
+    };
+    EXPECT_TRUE(told(lines("spectrum='mlit-ch1'", "1.5"), "design basis factor 1.5 (factor 1 is the motion as it is"));
+    EXPECT_FALSE(told(lines("spectrum='mlit-ch1'", "1"), "design basis"));
+    EXPECT_FALSE(told(lines("spectrum='rg-1.60'", "0.3"), "design basis factor"));
 }
 
 }  // namespace

@@ -110,6 +110,10 @@ TEST_F(New, OtherSpectraRulesAndFiles) {
         expect_planned(waves);
     }
     EXPECT_NE(folder.read("s.toml").find("hazard = \"hazard.csv\"\n"), std::string::npos) << folder.read("s.toml");
+    auto const other =
+        written({"--spectrum", "target.csv", "--spectrum-kind", "acceleration", "--design-basis", "0.7 g"});
+    EXPECT_NE(other.err.find("warning: design basis 0.7 g, but the target spectrum has 0.254929 g"), std::string::npos)
+        << other.err;
 }
 
 TEST_F(New, AnswersStandAsTheyWereTyped) {
