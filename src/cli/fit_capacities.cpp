@@ -10,6 +10,7 @@
 #include "cli/command_line.hpp"
 #include "cli/fit_tables.hpp"
 #include "core/input_files.hpp"
+#include "core/wrapped.hpp"
 #include "output/curve_tables.hpp"
 #include "output/curve_text.hpp"
 #include "output/fit_json.hpp"
@@ -84,7 +85,7 @@ int fit_capacities(FitOptions const& options) {
         frequencies.back().limit = overturning_limit;
     }
     if (!options.json) {
-        fmt::print("{}\n{}{}", head_of(table), output::fragility_table({measured}, request.confidence),
+        fmt::print("{}\n{}{}", head_of(table), narrowed(output::fragility_table({measured}, request.confidence)),
                    hazard ? output::frequency_text(frequencies, *hazard, request.confidence) : std::string());
         print_unread(table.unread);
         return done;

@@ -9,6 +9,7 @@
 #include "cli/fit_tables.hpp"
 #include "core/error.hpp"
 #include "core/input_files.hpp"
+#include "core/wrapped.hpp"
 #include "motion/column_unit.hpp"
 #include "output/curve_spread.hpp"
 #include "output/frequency_text.hpp"
@@ -66,7 +67,7 @@ int fit_stated(FitOptions const& options) {
         frequencies.back().limit = overturning_limit;
     }
     if (!options.json) {
-        fmt::print("{}{}", output::text_of(curve),
+        fmt::print("{}{}", narrowed(output::text_of(curve)),
                    hazard ? output::frequency_text(frequencies, *hazard, none) : std::string());
         return done;
     }

@@ -12,6 +12,7 @@
 #include "core/error.hpp"
 #include "core/input_files.hpp"
 #include "core/units.hpp"
+#include "core/wrapped.hpp"
 #include "motion/column_unit.hpp"
 #include "output/curve_tables.hpp"
 #include "output/curve_text.hpp"
@@ -87,7 +88,7 @@ int fit_stripes(FitOptions const& options) {
         frequencies.back().limit = overturning_limit;
     }
     if (!options.json) {
-        fmt::print("{}{}\n{}", output::fragility_table({measured}, request.confidence),
+        fmt::print("{}{}\n{}", narrowed(output::fragility_table({measured}, request.confidence)),
                    hazard ? output::frequency_text(frequencies, *hazard, request.confidence) : std::string(),
                    output::table_stripes_text(table.amplitude, stripes, request.confidence, options.text.full));
         print_unread(table.unread);

@@ -14,6 +14,9 @@ inline constexpr std::size_t line_width = 100;
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent = 0, std::size_t width = line_width,
                                   std::string begun = {});
 
+/// The text with its longer lines wrapped, each behind its own indent and four blanks more.
+[[nodiscard]] std::string narrowed(std::string_view text);
+
 inline constexpr std::size_t label_width = 10;
 
 /// A label, and its text below it, in lines of that width.

@@ -1,12 +1,14 @@
 #include "output/curve_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "core/outward.hpp"
+#include "output/detail/columns_text.hpp"
 #include "output/detail/fit_names.hpp"
 #include "output/detail/fit_words.hpp"
 #include "output/detail/grid_map_text.hpp"
@@ -36,19 +38,43 @@ std::string point_text(MeasuredFragility const& m, std::optional<double> const& 
                      : std::string("-");
 }
 
-std::string fit_line(MeasuredFragility const& m) {
+std::array<std::string, 9> fit_cells(MeasuredFragility const& m) {
     auto const rank = std::isnan(m.rank_area) ? std::string("-") : fmt::format("{:.3f}", m.rank_area);
     if (!m.fit.identifiable()) {
-        return fmt::format("{:>20} {:>50}  {:>5}\n", measure_text(m),
-                           "no curve: " + name_of(m.fit.state, m.fit.passing), rank);
+        return {measure_text(m), "-", "no curve", "-", "-", "-", "-", "-", rank};
     }
     auto const& line = *m.fit.line;
     auto const& ends = m.fit.intervals();
-    return fmt::format("{:>20} {:>9.4g} {:>18} {:>6.3f} {:>17} {:>9} {:>8} {:>9}  {:>5}  {}\n", measure_text(m),
-                       m.shown_in.of(std::exp(line.log_median())), ends_text(ends.median, m.shown_in), line.beta(),
-                       ends_text(ends.beta), point_text(m, m.fit.five_percent_point()), point_text(m, m.fit.hclpf()),
-                       point_text(m, m.fit.one_percent_point()), rank,
-                       fmt::join(names_of(m.fit.flags, m.fit.passing), " "));
+    return {measure_text(m),
+            fmt::format("{:.4g}", m.shown_in.of(std::exp(line.log_median()))),
+            ends_text(ends.median, m.shown_in),
+            fmt::format("{:.3f}", line.beta()),
+            ends_text(ends.beta),
+            point_text(m, m.fit.five_percent_point()),
+            point_text(m, m.fit.hclpf()),
+            point_text(m, m.fit.one_percent_point()),
+            rank};
+}
+
+// "flags of pga, pgv: few-waves no-beta-u", and why there is no curve: a line for all measures that it is true of.
+std::string flags_text(std::vector<MeasuredFragility> const& fits) {
+    std::vector<std::pair<std::string, std::vector<std::string>>> of;  // flags, measures
+    for (auto const& m : fits) {
+        auto const flags = m.fit.identifiable()
+                               ? fmt::format("{}", fmt::join(names_of(m.fit.flags, m.fit.passing), " "))
+                               : name_of(m.fit.state, m.fit.passing);
+        auto const known = std::ranges::find(of, flags, &decltype(of)::value_type::first);
+        if (known != of.end()) {
+            known->second.push_back(m.label);
+        } else if (!flags.empty()) {
+            of.push_back({flags, {m.label}});
+        }
+    }
+    std::string text;
+    for (auto const& [flags, measures] : of) {
+        text += fmt::format("  flags of {}: {}\n", fmt::join(measures, ", "), flags);
+    }
+    return text;
 }
 
 // Are there several measures, and did all trials end alike, whatever one draws them over?
@@ -97,15 +123,21 @@ std::string body_text(BodyAnalysis const& body, double confidence) {
 
 std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence) {
     auto const& first = fits.front().fit;
-    std::string text = fmt::format("{:>20} {:>9} {:>18} {:>6} {:>17} {:>9} {:>8} {:>9}  {:>5}\n", "fragility", "median",
-                                   fmt::format("{:g} %", 100 * confidence), "beta",
-                                   fmt::format("{:g} %", 100 * confidence), "5 % point", "HCLPF", "1 % point", "rank");
+    std::string text;
     if (end_alike(fits)) {
-        text += fmt::format("{:>20} {:>50}\n", "any measure", "no curve: " + name_of(first.state, first.passing));
+        text += fmt::format("  no curve over any measure: {}\n", name_of(first.state, first.passing));
     } else {
+        auto const ends = fmt::format("{:g} % interval", 100 * confidence);
+        TextGroup columns{{"fragility"},  {"median"}, {ends},         {"beta"}, {ends},
+                          {"5 %\npoint"}, {"HCLPF"},  {"1 %\npoint"}, {"rank"}};
+        columns.front().side = TextColumn::Side::left;
         for (auto const& m : fits) {
-            text += fit_line(m);
+            auto cells = fit_cells(m);
+            for (std::size_t c = 0; c < cells.size(); ++c) {
+                columns[c].cells.push_back(std::move(cells[c]));
+            }
         }
+        text += columns_text({columns}, 2) + flags_text(fits);
     }
     if (std::any_of(fits.begin() + 1, fits.end(), [](auto const& m) { return m.fit.identifiable(); })) {
         text += fmt::format("  note: {}\n", other_measures_text(fits.front().label));

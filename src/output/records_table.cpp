@@ -8,6 +8,7 @@
 #include "campaign/limit_state.hpp"
 #include "campaign/typed_units.hpp"
 #include "output/answer.hpp"
+#include "output/detail/columns_text.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::output {
@@ -91,28 +92,16 @@ std::string records_text(CampaignSpec const& spec, std::span<TrialRow const> tri
     if (sheet.rows.empty()) {
         return {};
     }
-    std::vector<std::size_t> widths;
+    std::vector<TextGroup> columns;
     for (std::size_t c = 0; c < sheet.head.size(); ++c) {
-        widths.push_back(sheet.head[c].size());
+        auto const side = sheet.head[c].ends_with(']') ? TextColumn::Side::right : TextColumn::Side::left;
+        TextColumn column{sheet.head[c], {}, side};
         for (auto const& row : sheet.rows) {
-            widths[c] = std::max(widths[c], row[c].size());
+            column.cells.push_back(row[c]);
         }
+        columns.push_back({std::move(column)});
     }
-    auto const line = [&](std::vector<std::string> const& cells) {
-        std::string text;
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            bool const number = sheet.head[c].ends_with(']');
-            auto const* const gap = c == 0 ? "" : "  ";
-            text += number ? fmt::format("{}{:>{}}", gap, cells[c], widths[c])
-                           : fmt::format("{}{:<{}}", gap, cells[c], widths[c]);
-        }
-        return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
-    };
-    auto text = line(sheet.head);
-    for (auto const& row : sheet.rows) {
-        text += line(row);
-    }
-    return text;
+    return columns_text(columns);
 }
 
 Table records_table(CampaignSpec const& spec, std::span<TrialRow const> trials) {

@@ -156,7 +156,7 @@ std::string results_text(Printed const& printed, TextOptions const& options) {
         }
         if (is_there && (options.wants(section.name) || section.is_unasked(printed))) {
             auto const part = section.text(printed, options);
-            text += part.empty() ? std::string() : fmt::format("\n== {}\n{}", section.name, part);
+            text += part.empty() ? std::string() : fmt::format("\n== {}\n{}", section.name, narrowed(part));
         } else if (!is_there && options.names(section.name)) {
             text += fmt::format("\n== {}\nnothing in this campaign\n", section.name);
         }

@@ -1,11 +1,13 @@
 #include "output/stripe_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <numeric>
 
 #include <fmt/format.h>
 
 #include "campaign/typed_units.hpp"
+#include "output/detail/level_columns.hpp"
 #include "output/detail/limit_text.hpp"
 #include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
@@ -15,19 +17,20 @@
 namespace overturn::output {
 namespace {
 
-// Verdicts that every table shows; both movements at once, and the models' own, where some trial ended so.
+// Verdicts that every table shows, and those that some trial ended with.
 std::vector<std::size_t> shown_ends(BodyStatistics const& s) {
     std::vector<std::size_t> shown;
     for (std::size_t v = 0; v < verdicts().size(); ++v) {
         bool const seen = std::ranges::any_of(s.ends[v], [](std::int64_t count) { return count > 0; });
-        if ((v < common_verdicts().size() && verdicts()[v].value != Verdict::slid_and_rocked) || seen) {
+        auto const verdict = verdicts()[v].value;
+        bool const always = verdict == Verdict::at_rest || verdict == Verdict::slid || verdict == Verdict::rocked
+                            || verdict == Verdict::overturned;
+        if (always || seen) {
             shown.push_back(v);
         }
     }
     return shown;
 }
-
-std::size_t width_of(std::size_t verdict) { return std::max<std::size_t>(7, verdicts()[verdict].name.size()); }
 
 // Effects that trials called for and that were not simulated.
 std::string left_out(CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s) {
@@ -37,21 +40,62 @@ std::string left_out(CampaignSpec const& spec, BodySpec const& body, BodyStatist
         auto const trials = std::accumulate(s.called[e].begin(), s.called[e].end(), std::int64_t{0});
         auto const effect = effects()[e].value;
         if (s.left_out[e] > 0) {
-            text +=
-                fmt::format("warning: {} trials call for {}, which no model holds beside the rest: it was left out\n",
-                            s.left_out[e], effects()[e].name);
+            text += fmt::format(
+                "warning: {} trials require {}, but no model supports it with their other effects: it was not "
+                "simulated\n",
+                s.left_out[e], effects()[e].name);
         }
         if (trials == 0 || has(wanted, effect)) {
             continue;
         }
         text += effect == Effect::sliding
                     ? fmt::format(
-                        "note: {} trials would have slipped (friction demand above {}), and slip was not "
+                        "note: {} trials would have slipped (friction demand above {}), but slip was not "
                         "simulated\n",
                         trials, body.friction ? body.friction->static_coefficient : 0)
-                    : fmt::format("note: {} trials call for {}, which was not simulated\n", trials, effects()[e].name);
+                    : fmt::format("note: {} trials require {}, but it was not simulated\n", trials, effects()[e].name);
     }
     return text;
+}
+
+// How the trials of each level ended.
+TextGroup ends_of(CampaignSpec const& spec, BodyStatistics const& s) {
+    auto const levels = shown_levels(spec.levels);
+    TextGroup columns{level_column(spec.levels, levels), {"trials"}};
+    for (auto const l : levels) {
+        columns.back().cells.push_back(std::to_string(s.stripes[l].trials));
+    }
+    for (auto const v : shown_ends(s)) {
+        columns.push_back({std::string(verdicts()[v].name)});
+        for (auto const l : levels) {
+            columns.back().cells.push_back(std::to_string(s.ends[v][l]));
+        }
+    }
+    return columns;
+}
+
+// Their probability, and what the energy criterion predicted.
+TextGroup chances_of(CampaignSpec const& spec, BodyStatistics const& s) {
+    auto const levels = shown_levels(spec.levels);
+    TextGroup columns;
+    if (s.grid.empty()) {
+        columns = {{"P"}, {fmt::format("{:g} % interval", 100 * spec.confidence)}};
+        for (auto const l : levels) {
+            columns[0].cells.push_back(estimate_text(s.stripes[l]));
+            columns[1].cells.push_back(interval_text(s.stripes[l].interval(spec.confidence)));
+        }
+    }
+    if (spec.measures.energy) {
+        TextColumn safe{"V_WES:\nsafe"};
+        TextColumn false_safe{"false\nsafe"};
+        for (auto const l : levels) {
+            safe.cells.push_back(std::to_string(s.v_wes[l].true_safe + s.v_wes[l].false_safe));
+            false_safe.cells.push_back(std::to_string(s.v_wes[l].false_safe));
+        }
+        columns.insert(columns.end(), {safe, false_safe});
+    }
+    columns.push_back(purpose_column(spec.levels, levels));
+    return columns;
 }
 
 void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s,
@@ -64,33 +108,7 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
             ? fmt::format("friction {:g}/{:g}, ", body.friction->static_coefficient, body.friction->kinetic_coefficient)
             : std::string("no slip, "),
         velocities.value_or(typed_units(spec).velocity).text(limit));
-    auto const shown = shown_ends(s);
-    text += fmt::format("{:>10} {:>7}", fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()),
-                        "trials");
-    for (auto const v : shown) {
-        text += fmt::format(" {:>{}}", verdicts()[v].name, width_of(v));
-    }
-    bool const grid = !s.grid.empty();
-    if (!grid) {
-        text += fmt::format("  {:>8}  {:>20}", "P", fmt::format("{:g} % interval", 100 * spec.confidence));
-    }
-    text += spec.measures.energy ? "  V_WES: safe / false safe\n" : "\n";
-    for (auto const l : shown_levels(spec.levels)) {
-        auto const& stripe = s.stripes[l];
-        auto const interval = stripe.interval(spec.confidence);
-        auto const purpose = spec.levels.levels[l].purpose;
-        text += fmt::format("{:>10.4g} {:>7}", spec.levels.shown(stripe.amplitude), stripe.trials);
-        for (auto const v : shown) {
-            text += fmt::format(" {:>{}}", s.ends[v][l], width_of(v));
-        }
-        if (!grid) {
-            text += fmt::format("  {:>8}  {}", estimate_text(stripe), millionths_text(interval));
-        }
-        if (spec.measures.energy) {
-            text += fmt::format("  {:>9} / {:<5}", s.v_wes[l].true_safe + s.v_wes[l].false_safe, s.v_wes[l].false_safe);
-        }
-        text += purpose == LevelClass::ordinary ? "\n" : fmt::format(" {}\n", name_of(purpose));
-    }
+    text += columns_text({ends_of(spec, s), chances_of(spec, s)});
     text += left_out_levels(spec.levels);
     text += "models:";
     for (std::size_t r = 0; r < s.models.size(); ++r) {
@@ -125,15 +143,20 @@ std::string table_stripes_text(std::string const& amplitude, std::span<Stripe co
         return fmt::format("{} of {:.4g} to {:.4g}, {} in all: --full shows each\n", amplitude,
                            stripes.front().amplitude, stripes.back().amplitude, stripes.size());
     }
-    auto text = fmt::format("{:>10} {:>7} {:>11} {:>7}  {:>8}  {:>20}\n", amplitude, "trials", "overturned", "failed",
-                            "P", fmt::format("{:g} % interval", 100 * confidence));
+    TextGroup columns{{amplitude}, {"trials"}, {"overturned"},
+                      {"failed"},  {"P"},      {fmt::format("{:g} % interval", 100 * confidence)}};
     for (auto const& stripe : stripes) {
-        text += fmt::format("{:>10.4g} {:>7} {:>11} {:>7}  {:>8}  {}\n", stripe.amplitude, stripe.trials,
-                            stripe.overturned, stripe.failed,
-                            stripe.decided() > 0 ? fmt::format("{:.4f}", stripe.probability()) : std::string("-"),
-                            millionths_text(stripe.interval(confidence)));
+        std::array const cells{fmt::format("{:.4g}", stripe.amplitude),
+                               std::to_string(stripe.trials),
+                               std::to_string(stripe.overturned),
+                               std::to_string(stripe.failed),
+                               stripe.decided() > 0 ? fmt::format("{:.4f}", stripe.probability()) : std::string("-"),
+                               interval_text(stripe.interval(confidence))};
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            columns[c].cells.push_back(cells[c]);
+        }
     }
-    return text;
+    return columns_text({columns});
 }
 
 // What a longer record would have made of them nobody knows.

@@ -5,6 +5,7 @@
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
 #include "support/csv_of_json.hpp"
+#include "support/line_width.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -121,6 +122,7 @@ TEST_F(Limits, FitReportsThemByName) {
     auto const told = overturn(folder, {"fit", "1.h5", "--full"});
     EXPECT_NE(told.out.find("type-a, limit state touches: peak_slip > 4 cm"), std::string::npos) << told.out;
     EXPECT_NE(told.out.find("peak_slip cm of the trials, with 95 % intervals"), std::string::npos) << told.out;
+    EXPECT_EQ(too_wide(told.out), "");
     auto const json = fit("1.h5");
 
     ASSERT_EQ(json["limit_states"].size(), 5U);

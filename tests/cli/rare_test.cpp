@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "support/command.hpp"
+#include "support/line_width.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -58,6 +59,7 @@ TEST_F(Rare, SubsetIsTheSameOnAnyRanksAndAfterKills) {
 
     EXPECT_TRUE(folder.read("c.h5") == folder.read("one.h5"));
     EXPECT_FALSE(folder.has("c.h5.parts"));
+    EXPECT_EQ(too_wide(overturn(folder, {"fit", "c.h5", "--full"}).out), "");
 }
 
 // R-1101, R-1005: the same of the pulse mixture, killed in the middle of its selector; every kind of row replays

@@ -3,6 +3,7 @@
 #include "cli/campaign_files.hpp"
 #include "cli/python.hpp"
 #include "support/command.hpp"
+#include "support/line_width.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -83,6 +84,7 @@ TEST_F(Run, RanksDoNotMatterOnPoints) {
     EXPECT_EQ(told.code, 0) << told.err;
     EXPECT_NE(told.out.find(" contact"), std::string::npos) << told.out;
     EXPECT_NE(told.out.find(" spatial"), std::string::npos) << told.out;
+    EXPECT_EQ(too_wide(told.out), "");
     for (auto const* trial : {"7", "25", "38", "57"}) {
         auto const replayed = overturn(folder, {"replay", "0.h5", "--trial", trial, "--history", "h.csv"});
         EXPECT_EQ(replayed.code, 0) << replayed.out << replayed.err;

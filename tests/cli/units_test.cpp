@@ -7,6 +7,7 @@
 
 #include "cli/campaign_files.hpp"
 #include "support/command.hpp"
+#include "support/line_width.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -31,6 +32,7 @@ class Units : public ::testing::Test {
         auto const table = overturn(folder, {"fit", "c.h5", "--full"});
         auto const values = overturn(folder, {"fit", "c.h5", "--json"});
         EXPECT_EQ(table.code + values.code, 0) << table.err << values.err;
+        EXPECT_EQ(too_wide(table.out), "");
         return {table.out, json::parse(values.out)};
     }
 

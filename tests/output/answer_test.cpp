@@ -191,6 +191,10 @@ TEST(Answer, WrapsBetweenWords) {
     EXPECT_EQ(wrapped("one", 2, 7), "one\n");
     EXPECT_EQ(wrapped("incomprehensible x", 0, 7), "incomprehensible\nx\n");
     EXPECT_EQ(wrapped("one two", 4, 7, "  a "), "  a one\n    two\n");
+    std::string const short_line(100, 'x');
+    std::string const word(60, 'y');
+    EXPECT_EQ(narrowed(short_line + "\n\n  " + word + ' ' + word + '\n'),
+              short_line + "\n\n  " + word + "\n      " + word + '\n');
     EXPECT_EQ(wrapped("of 95 % x", 0, 7), "of 95 %\nx\n");
 }
 

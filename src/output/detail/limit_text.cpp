@@ -1,12 +1,14 @@
 #include "output/detail/limit_text.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include <fmt/format.h>
 
 #include "campaign/typed_units.hpp"
 #include "core/outward.hpp"
+#include "output/detail/level_columns.hpp"
 #include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
 
@@ -40,31 +42,36 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
     auto const& stated = spec.limits[limit];
     auto const& of = counted.limits[limit - 1];
     bool const grid = !counted.grid.empty();
-    auto text = fmt::format(
-        "\n{}, limit state {}: {}\n{:>10} {:>7} {:>8} {:>9} {:>7}{}\n", counted.body, said_name(stated, spec.limits),
-        definition_of(stated, spec.limits), fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()),
-        "trials", "exceeded", "undecided", "failed",
-        grid ? std::string()
-             : fmt::format("  {:>8}  {:>20}", "P", fmt::format("{:g} % interval", 100 * spec.confidence)));
-    for (auto const l : shown_levels(spec.levels)) {
+    auto text = fmt::format("\n{}, limit state {}: {}\n", counted.body, said_name(stated, spec.limits),
+                            definition_of(stated, spec.limits));
+    auto const levels = shown_levels(spec.levels);
+    TextGroup counts{{"trials"}, {"exceeded"}, {"undecided"}, {"failed"}};
+    TextGroup chances{{"P"}, {fmt::format("{:g} % interval", 100 * spec.confidence)}};
+    for (auto const l : levels) {
         auto const& stripe = of.stripes[l];
-        auto const interval = stripe.interval(spec.confidence);
-        auto const purpose = spec.levels.levels[l].purpose;
-        auto const chance =
-            grid ? std::string() : fmt::format("  {:>8}  {}", estimate_text(stripe), millionths_text(interval));
-        text += fmt::format("{:>10.4g} {:>7} {:>8} {:>9} {:>7}{}{}\n", spec.levels.shown(stripe.amplitude),
-                            stripe.trials, stripe.overturned, stripe.undecided, stripe.failed, chance,
-                            purpose == LevelClass::ordinary ? std::string() : fmt::format("  {}", name_of(purpose)));
+        std::array const numbers{stripe.trials, stripe.overturned, stripe.undecided, stripe.failed};
+        for (std::size_t c = 0; c < numbers.size(); ++c) {
+            counts[c].cells.push_back(std::to_string(numbers[c]));
+        }
+        chances[0].cells.push_back(estimate_text(stripe));
+        chances[1].cells.push_back(interval_text(stripe.interval(spec.confidence)));
     }
+    std::vector<TextGroup> groups{{level_column(spec.levels, levels)}, counts};
+    if (!grid) {
+        groups.push_back(chances);
+    }
+    groups.push_back({purpose_column(spec.levels, levels)});
+    text += columns_text(groups);
     text += left_out_levels(spec.levels);
     if (of.unknown > 0) {
-        text += fmt::format("note: {} trials have a verdict but not the quantity of {}: they are undecided\n",
-                            of.unknown, stated.name);
+        text += fmt::format(
+            "note: {} trials have a verdict, but the quantity of {} is not known: they count as undecided\n",
+            of.unknown, stated.name);
     }
     if (of.fell_within > 0) {
         text += fmt::format(
-            "note: {} trials overturned without exceeding {} before they did, and count as within it; a limit state "
-            "any = [\"{}\", \"{}\"] counts them\n",
+            "note: {} trials overturned and had not exceeded {} before: they count as within it. To count them as "
+            "exceeded, state any = [\"{}\", \"{}\"]\n",
             of.fell_within, stated.name, stated.name, overturning_limit);
     }
     return text;
@@ -73,6 +80,7 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
 std::string quantiles_text(CampaignSpec const& spec, BodyAnalysis const& body, double confidence) {
     std::string text;
     std::string quantity;
+    std::vector<TextGroup> table;
     auto const& levels = body.over_levels();
     std::size_t count = 0;
     for (auto const& at : body.quantiles) {
@@ -93,20 +101,23 @@ std::string quantiles_text(CampaignSpec const& spec, BodyAnalysis const& body, d
         auto const unit = shown_unit(spec, at.units);
         if (at.quantity != quantity) {
             quantity = at.quantity;
-            text += fmt::format(
-                "  {}{} of the trials, with {:g} % intervals between order statistics\n  {:>10} {:>28} "
-                "{:>28} {:>28}\n",
-                quantity, unit.symbol == "1" ? "" : " " + unit.symbol, 100 * confidence,
-                fmt::format("{} {}", levels.name, levels.shown_in.symbol), "median", "84 %", "95 %");
+            text += table.empty() ? std::string() : columns_text(table, 2);
+            text += fmt::format("  {}{} of the trials, with {:g} % intervals between order statistics\n", quantity,
+                                unit.symbol == "1" ? "" : " " + unit.symbol, 100 * confidence);
+            table = {{{fmt::format("{} {}", levels.name, levels.shown_in.symbol)}},
+                     {{"median"}},
+                     {{"84 %"}},
+                     {{"95 %"}},
+                     {{"", {}, TextColumn::Side::left}}};
         }
-        text += at.trials == 0
-                    ? fmt::format("  {:>10.4g} unknown\n", levels.shown_in.of(at.amplitude))
-                    : fmt::format("  {:>10.4g} {:>28} {:>28} {:>28}{}\n", levels.shown_in.of(at.amplitude),
-                                  quantile_text(at, at.quantiles[0], unit), quantile_text(at, at.quantiles[1], unit),
-                                  quantile_text(at, at.quantiles[2], unit),
-                                  at.unknown > 0 ? fmt::format("  {} unknown", at.unknown) : std::string());
+        table.front().front().cells.push_back(fmt::format("{:.4g}", levels.shown_in.of(at.amplitude)));
+        for (std::size_t q = 0; q < at.quantiles.size(); ++q) {
+            table[1 + q].front().cells.push_back(at.trials == 0 ? "unknown" : quantile_text(at, at.quantiles[q], unit));
+        }
+        table.back().front().cells.push_back(at.trials > 0 && at.unknown > 0 ? fmt::format("{} unknown", at.unknown)
+                                                                             : std::string());
     }
-    return text;
+    return text + (table.empty() ? std::string() : columns_text(table, 2));
 }
 
 }  // namespace overturn::output

@@ -1,10 +1,12 @@
 #include "output/detail/together_text.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "output/detail/level_columns.hpp"
 #include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
 
@@ -41,21 +43,35 @@ std::string together_text(CampaignSpec const& spec, std::span<BodiesTogether con
                               : std::string();
         text += fmt::format("\nany of {} bodies {} under one wave; phi: correlation of two bodies' ends under it{}\n",
                             spec.bodies.size(), did, left);
-        text += fmt::format("{:>12} {:>7} {:>7} {:>9} {:>8} {:>20} {:>14}  {}\n",
-                            fmt::format("{} {}", spec.levels.measure_name(), spec.levels.shown_units()), "waves", "any",
-                            "undecided", "P", fmt::format("{:g} % interval", 100 * confidence), "if independent",
-                            fmt::join(heads, "  "));
-        for (auto const l : shown_levels(spec.levels)) {
+        auto const levels = shown_levels(spec.levels);
+        TextGroup any_of{level_column(spec.levels, levels),
+                         {"waves"},
+                         {"any"},
+                         {"undecided"},
+                         {"P"},
+                         {fmt::format("{:g} % interval", 100 * confidence)},
+                         {"if independent"}};
+        for (auto const l : levels) {
             auto const& any = of.joint.any[l];
-            std::vector<std::string> phis;
-            for (std::size_t p = 0; p < shown; ++p) {
-                phis.push_back(fmt::format("{:>{}}", phi_text(of.joint.pairs[p].phi[l]), heads[p].size()));
+            std::array const cells{std::to_string(any.trials),
+                                   std::to_string(any.overturned),
+                                   std::to_string(any.undecided),
+                                   fmt::format("{:.4f}", any.probability()),
+                                   interval_text(any.interval(confidence)),
+                                   fmt::format("{:.4f}", of.joint.if_independent[l])};
+            for (std::size_t c = 0; c < cells.size(); ++c) {
+                any_of[1 + c].cells.push_back(cells[c]);
             }
-            text += fmt::format("{:>12.4g} {:>7} {:>7} {:>9} {:>8.4f} {:>20} {:>14.4f}  {}\n",
-                                spec.levels.shown(any.amplitude), any.trials, any.overturned, any.undecided,
-                                any.probability(), interval_text(any.interval(confidence)), of.joint.if_independent[l],
-                                fmt::join(phis, "  "));
         }
+        std::vector<TextGroup> groups{any_of};
+        for (std::size_t p = 0; p < shown; ++p) {
+            TextColumn phis{heads[p]};
+            for (auto const l : levels) {
+                phis.cells.push_back(phi_text(of.joint.pairs[p].phi[l]));
+            }
+            groups.push_back({phis});
+        }
+        text += columns_text(groups);
         text += left_out_levels(spec.levels);
         std::vector<std::string> pooled;
         for (std::size_t p = 0; p < shown; ++p) {
