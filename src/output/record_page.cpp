@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/escaped_html.hpp"
+#include "core/scroll_hint.hpp"
 
 namespace overturn::output {
 std::string html_of(RecordPage const& page) {
@@ -33,7 +34,7 @@ std::string html_of(RecordPage const& page) {
   :root {{ --ink: #e4e4e4; --paper: #121212; --quiet: #b0b0b0; --pass: #7fd3a5; --fail: #ff9b93; }} }}
 body {{ font: 15px/1.5 sans-serif; color: var(--ink); background: var(--paper); max-width: 90rem; margin: 2rem auto; padding: 0 1rem;
        overflow-wrap: anywhere; }}
-div {{ overflow-x: auto; }} table {{ border-collapse: collapse; }}
+div {{ overflow-x: auto; {} }} table {{ border-collapse: collapse; }}
 th, td {{ text-align: left; vertical-align: top; padding: .25rem .75rem .25rem 0; border-bottom: 1px solid #8886; }}
 td {{ overflow-wrap: break-word; }} td:nth-child(-n+2), th {{ white-space: nowrap; }}
 .pass td:first-child {{ color: var(--pass); }} .fail td {{ color: var(--fail); font-weight: bold; }}
@@ -49,7 +50,7 @@ dt {{ color: var(--quiet); }} dd {{ margin: 0 0 .4rem; }}
 {}</tbody></table></div>
 </main></body></html>
 )",
-                       escaped_html(page.title), escaped_html(page.title), facts, head, rows);
+                       escaped_html(page.title), scroll_hint, escaped_html(page.title), facts, head, rows);
 }
 
 }  // namespace overturn::output

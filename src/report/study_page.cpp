@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/escaped_html.hpp"
+#include "core/scroll_hint.hpp"
 #include "report/cost_page.hpp"
 #include "report/figure.hpp"
 
@@ -41,7 +42,7 @@ tr.plain td:first-child::before { content: "\25cb\00a0"; color: #888; }
 @media print {
   @page { margin: 16mm 14mm; }
   body { font-size: 10pt; max-width: none; padding: 0; } section { grid-template-columns: minmax(0, 1fr); }
-  .scroll { overflow: visible; } svg { min-width: 0; } figure, tr, .answer { break-inside: avoid; }
+  .scroll { overflow: visible; background: none; } svg { min-width: 0; } figure, tr, .answer { break-inside: avoid; }
   table { font-size: 8pt; } th, td { white-space: normal; }
 }
 )css";
@@ -54,8 +55,8 @@ std::string study_head(std::string const& heading, StudyJson const& study, std::
     return fmt::format(
         "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\n"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{0}: {1}</title>\n"
-        "<style>{2}{3}</style></head><body><main>\n<h1>{0}</h1>\n<p>{1}</p>\n",
-        heading, text_at(study, "title"), study_style, style);
+        "<style>.scroll {{ {4} }}\n{2}{3}</style></head><body><main>\n<h1>{0}</h1>\n<p>{1}</p>\n",
+        heading, text_at(study, "title"), study_style, style, scroll_hint);
 }
 
 std::string study_figure(char const* script, StudyJson const& data, std::string const& label) {

@@ -269,7 +269,7 @@ TEST_F(InABrowser, FaultsAreSeen) {
         "<caption>still</caption><thead><tr><th>a</th></tr></thead><tbody><tr><td>1</td></tr></tbody></table>"
         "<div style='width:99px;overflow:auto'><p style='width:999px'>box</p></div>"
         "<div style='width:2000px'>wide</div><details><summary>folded</summary><table><tr><td>1</td></tr></table>"
-        "</details></body>");
+        "</details><div style='break-inside:avoid;height:950px'>high</div></body>");
     auto const found = faults("bad.html");
     for (auto const* fault : {"console: ",
                               "loads ",
@@ -291,6 +291,8 @@ TEST_F(InABrowser, FaultsAreSeen) {
                               "picture without a name: <img",
                               "control without a name: <a href",
                               "order of the keyboard",
+                              "scrolls and does not show it: <div style=\"width:99px",
+                              "in print: sheet 1 of 2 is filled to ",
                               "scrolls without keyboard: <div style=\"width:99px",
                               "stop of the keyboard without role",
                               "contrast 2.85: <p style=\"color:#999",

@@ -95,6 +95,31 @@ CUT = """[...document.querySelectorAll('table, pre, svg')].filter(e => !e.parent
     return r.right > document.documentElement.clientWidth + 1;
 }).map(e => e.tagName + ' ' + e.textContent.trim().slice(0, 60))"""
 
+# Boxes that scroll to the side and do not show it.
+UNSEEN = """[...document.querySelectorAll('body *')].filter(e => e.scrollWidth > e.clientWidth + 1
+    && ['auto', 'scroll'].includes(getComputedStyle(e).overflowX) && !e.closest('.fold')
+    && !getComputedStyle(e).backgroundImage.includes('gradient')).map(e => e.outerHTML.slice(0, 60))"""
+
+# How far the text of each sheet of print reaches: columns of a sheet's size break where sheets do. Captions end figures.
+SHEETS = """(() => {
+    const wide = 688, high = 994, gap = 40;  // A4 between its margins [px]
+    document.documentElement.style.margin = 0;
+    Object.assign(document.body.style, {margin: 0, width: wide + 'px', height: high + 'px', columnWidth: wide + 'px',
+                                        columnGap: gap + 'px', columnFill: 'auto'});
+    const ends = [], page = document.body.getBoundingClientRect();
+    const see = r => {
+        const sheet = Math.floor((r.left - page.left + 1) / (wide + gap));
+        if (r.width && r.height) ends[sheet] = Math.max(ends[sheet] || 0, r.bottom - page.top);
+    };
+    const words = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT);
+    while (words.nextNode()) {
+        if (!words.currentNode.textContent.trim() || words.currentNode.parentElement.closest('svg, script')) continue;
+        const range = document.createRange();
+        range.selectNodeContents(words.currentNode);
+        [...range.getClientRects()].forEach(see);
+    }
+    return [...ends].map(end => (end || 0) / high) })()"""
+
 # What its script does: tables sort both ways and filter, figures zoom and tell the value of a marker under the pointer.
 WORKS = """(() => { const found = [];
     for (const table of document.querySelectorAll('table.sortable')) {
@@ -133,6 +158,7 @@ WORKS = """(() => { const found = [];
     return found })()"""
 
 PRINT_WIDTH = 688  # of A4 between margins of 14 mm [px]
+LEAST_FILLED = 0.6  # of a sheet, but the last
 
 
 def faults(browser, page):
@@ -150,6 +176,8 @@ def faults(browser, page):
                 yield f"at {width} px: figure {name!r} is {across:.0f} x {up:.0f} px"
         for what in browser.value(BEYOND):
             yield f"at {width} px: {what} reaches beyond the window"
+        for what in browser.value(UNSEEN):
+            yield f"at {width} px: scrolls and does not show it: {what}"
         for scheme in ("dark", "light"):
             browser.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
             if scheme == "light" or width > 400:
@@ -171,6 +199,10 @@ def faults(browser, page):
         yield f"in print: {what} is cut"
     if not browser.ask("Page.printToPDF")["data"]:
         yield "it cannot be printed"
+    sheets = browser.value(SHEETS)
+    for number, filled in enumerate(sheets[:-1], 1):
+        if filled < LEAST_FILLED:
+            yield f"in print: sheet {number} of {len(sheets)} is filled to {filled:.0%}"
     for event in browser.events:
         parameters = event.get("params", {})
         url = parameters["request"]["url"] if event.get("method") == "Network.requestWillBeSent" else None
