@@ -81,7 +81,7 @@ Json page_notes(Answered const& of) {
          "A body that overturned counts as larger than every slip, and as a rotation of π/2."},
         {"assumptions", text_of(tally_of(physical_inputs(of.spec))) + "."},
         {"more_inputs", "{more} more: overturn fit --json lists all."},
-        {"no_more_effects", "bears on trials that call for no more"},
+        {"no_more_effects", "affects trials that require no further effect"},
         {"model_assumptions",
          "Unsafe: where the assumption fails, more overturns than is computed. The effects were found by studies of "
          "this project, each under its own waves."},

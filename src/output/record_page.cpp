@@ -41,7 +41,7 @@ td {{ overflow-wrap: break-word; }} td:nth-child(-n+2), th {{ white-space: nowra
 dt {{ color: var(--quiet); }} dd {{ margin: 0 0 .4rem; }}
 @page {{ size: landscape; }}
 @media print {{ body {{ font-size: 8pt; margin: 0; max-width: none; }} td:nth-child(3), td:nth-child(4), td:last-child {{ overflow-wrap: anywhere; }}
-  tr {{ break-inside: avoid; }} }}
+  div {{ overflow: visible; background: none; }} tr {{ break-inside: avoid; }} }}
 </style></head><body><main>
 <h1>{}</h1>
 <dl>
