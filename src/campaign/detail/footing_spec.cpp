@@ -36,9 +36,10 @@ constexpr config::Keys base_keys{
         .only("shape = round and bedding = flat"),
     config::pairs_key("corners", Dimension::length, Dimension::length, "[x, y] of the corners of a convex polygon")
         .only("shape = polygon"),
-    config::integer_key("points", 2, 1000,
-                        "points from corner to corner; 16 to 256 round the rim of a round base, whose directions then "
-                        "differ")
+    config::integer_key(
+        "points", 2, 1000,
+        "points from corner to corner; of a round base 16 to 256 round its rim (64 at most in a plane), "
+        "whose directions then differ")
         .otherwise_said("15; round base: continuous rim, or 64 points on a pad with a strength")
         .only("shape = square or round")};
 constexpr config::KeyTable base_table{.meaning = "the base that a body stands on", .keys = base_keys.all};
