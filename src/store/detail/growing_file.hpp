@@ -29,7 +29,7 @@ struct ResultsWriter::Growing {
     };
 
     /// \throws SystemError if the file cannot be made
-    Growing(std::string const& path, Layout layout);
+    Growing(std::string const& path, Layout how);
 
     /// Writes the rows that wait.
     void write(Table& table);
