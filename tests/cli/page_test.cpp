@@ -197,6 +197,10 @@ class InABrowser : public Page {
     static std::string but_for_figures(std::string const& found) {
         return std::regex_replace(found, std::regex("at [0-9]+ px: no figure\n"), "");
     }
+    /// For pages with a title of ten thousand letters, behind which a sheet may end early.
+    static std::string but_for_sheets(std::string const& found) {
+        return std::regex_replace(found, std::regex("in print: sheet [0-9]+ of [0-9]+ is filled to [0-9]+%\n"), "");
+    }
     std::string faults_of_report() {
         auto const ended = overturn(folder, {"report", "c.h5", "-o", "c.html"});
         EXPECT_EQ(ended.code, 0) << ended.err;
@@ -237,7 +241,7 @@ TEST_F(InABrowser, WordsOfTheCampaignAreNoScript) {
     put("name='block'", "name='" + script.substr(script.find("<img")) + "'");
     put("friction=0.5", "friction={value=0.5, basis='assumed', source='" + script + "', range=[0.4, 0.6]}");
     run(campaign, {"--set", "waves.count=8"});
-    EXPECT_EQ(faults_of_report(), "");
+    EXPECT_EQ(but_for_sheets(faults_of_report()), "");
     for (auto const& study : {std::vector<std::string>{"--waves", "1"}, {"--sensitivity"}}) {
         auto const ended =
             overturn(folder, joined({"cost", "c.toml", "--set", "waves.count=16", "--html", "p.html"}, study));
