@@ -1,7 +1,5 @@
 #include "cli/collective.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cstdlib>
 #include <exception>
 
@@ -32,9 +30,8 @@ std::string other_launcher() {
 // of them with a page of its own.
 bool is_cut_off() {
     char const* const tasks = std::getenv("SLURM_STEP_NUM_TASKS");
-    auto const is_set = [](char const* name) { return std::getenv(name) != nullptr; };
     return tasks != nullptr && std::atoi(tasks) > 1 && parallel::Communicator::library().starts_with("Open MPI")
-           && std::ranges::none_of(std::array{"PMIX_RANK", "PMI_RANK", "PMI_FD", "OMPI_COMM_WORLD_SIZE"}, is_set);
+           && !parallel::is_launched();
 }
 
 }  // namespace

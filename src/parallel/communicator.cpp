@@ -56,11 +56,21 @@ void broadcast_bytes(void* bytes, int count, MPI_Datatype type) {
 
 }  // namespace
 
+bool is_launched() {
+    static constexpr std::array names{"PMIX_RANK", "PMI_RANK", "PMI_FD", "OMPI_COMM_WORLD_SIZE"};
+    return std::ranges::any_of(names, [](char const* name) { return std::getenv(name) != nullptr; });
+}
+
 Environment::Environment() {
     // Open MPI 4.1's first choice for one-sided calls cannot make a window over TCP ("invalid window"); its others can.
     ::setenv("OMPI_MCA_osc", "^rdma", 0);
-    // A process that no launcher started needs no daemon beside it: Open MPI's takes a third of a small run's CPU time.
-    ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+    if (!is_launched()) {
+        // It needs no daemon beside it: Open MPI's takes a third of a small run's CPU time.
+        ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
+        // Nor a folder: all processes of a user share its parent, and one that ends removes it while another one makes
+        // its own ("orte_session_dir failed", 1 of 300 starts beside seven others).
+        ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+    }
     // UCX's handler of a crash frees memory: where the heap is what crashed, it waits for ever.
     ::setenv("UCX_HANDLE_ERRORS", "none", 0);
 #if __has_include(<execinfo.h>)

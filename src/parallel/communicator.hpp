@@ -9,6 +9,9 @@
 
 namespace overturn::parallel {
 
+/// Whether a launcher started this process in a way that MPI can join: mpirun, or srun with a PMI.
+bool is_launched();
+
 /// MPI for the lifetime of this object; make one, in main, before anything that communicates.
 class Environment {
   public:

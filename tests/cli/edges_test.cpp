@@ -281,5 +281,13 @@ TEST_F(Edges, ARankThatIsAloneAmongOthersIsReported) {
     EXPECT_FALSE(folder.has("c.h5.parts"));
 }
 
+// R-1202: Processes of one user that start and end at once need no folder for all of them, where one's end may take
+// what another one makes.
+TEST_F(Edges, AProcessAloneNeedsNoFolderForAllOfAUser) {
+    folder.write("no-folder", "");
+    auto const ended = shell("TMPDIR=no-folder " OVERTURN_PROGRAM " run c.toml");
+    EXPECT_EQ(ended.code, 0) << ended.err;
+}
+
 }  // namespace
 }  // namespace overturn::testing

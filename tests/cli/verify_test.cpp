@@ -154,7 +154,7 @@ TEST_F(Verify, ASampleFindsWhatItMeets) {
     auto const ended = overturn(folder, {"verify", "c.h5", "--sample", "3", "--unverified"});
 
     EXPECT_EQ(ended.code, 1);
-    EXPECT_NE(ended.out.find("3 trials, 0 waves differ"), std::string::npos) << ended.out;
+    EXPECT_NE(ended.out.find("3 trials, 0 waves differ"), std::string::npos) << ended.out << ended.err;
     EXPECT_NE(overturn(folder, {"verify", "c.h5", "--sample", "3", "--seed", "2", "--unverified"}).out, ended.out)
         << "another seed meets other rows";
 }
