@@ -132,10 +132,7 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
                           {"5 %\npoint"}, {"HCLPF"},  {"1 %\npoint"}, {"rank"}};
         columns.front().side = TextColumn::Side::left;
         for (auto const& m : fits) {
-            auto cells = fit_cells(m);
-            for (std::size_t c = 0; c < cells.size(); ++c) {
-                columns[c].cells.push_back(std::move(cells[c]));
-            }
+            append_row(columns, fit_cells(m));
         }
         text += columns_text({columns}, 2) + flags_text(fits);
     }

@@ -81,8 +81,8 @@ TextGroup chances_of(CampaignSpec const& spec, BodyStatistics const& s) {
     if (s.grid.empty()) {
         columns = {{"P"}, {fmt::format("{:g} % interval", 100 * spec.confidence)}};
         for (auto const l : levels) {
-            columns[0].cells.push_back(estimate_text(s.stripes[l]));
-            columns[1].cells.push_back(interval_text(s.stripes[l].interval(spec.confidence)));
+            append_row(columns,
+                       std::array{estimate_text(s.stripes[l]), interval_text(s.stripes[l].interval(spec.confidence))});
         }
     }
     if (spec.measures.energy) {
@@ -152,9 +152,7 @@ std::string table_stripes_text(std::string const& amplitude, std::span<Stripe co
                                std::to_string(stripe.failed),
                                stripe.decided() > 0 ? fmt::format("{:.4f}", stripe.probability()) : std::string("-"),
                                interval_text(stripe.interval(confidence))};
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            columns[c].cells.push_back(cells[c]);
-        }
+        append_row(columns, cells);
     }
     return columns_text({columns});
 }

@@ -165,8 +165,8 @@ TEST(Answer, RoundsToTheSafeSide) {
     EXPECT_EQ(output::interval_text({0.041799, 0.2687024}), "[0.0417, 0.269]");
     EXPECT_EQ(output::interval_text({0, 0.0182752}), "[0, 0.0183]");
     EXPECT_EQ(output::interval_text({2.691e-6, 2.401e-3}), "[2.69e-06, 0.00241]");
-    EXPECT_EQ(output::millionths_text({0, 3.7e-7}), "[0.000000, 0.000001]");  // none of ten million
-    EXPECT_EQ(output::millionths_text({0.25, 0.7500001}), "[0.250000, 0.750001]");
+    EXPECT_EQ(output::interval_text({0, 3.7e-7}), "[0, 3.7e-07]");  // none of ten million
+    EXPECT_EQ(output::interval_text({0.25, 0.7500001}), "[0.25, 0.751]");
 }
 
 // a limit that a fall does not pass says so in every line of the answer, whole where a long name is shortened.

@@ -71,6 +71,13 @@ std::string side_by_side(TextGroup const& columns, std::size_t indent, std::size
 
 }  // namespace
 
+void append_row(TextGroup& columns, std::span<std::string const> cells, std::size_t first) {
+    OVERTURN_EXPECT(first + cells.size() <= columns.size());
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        columns[first + c].cells.push_back(cells[c]);
+    }
+}
+
 std::string columns_text(std::vector<TextGroup> const& groups, std::size_t indent) {
     constexpr std::size_t wide = 2;
     OVERTURN_EXPECT(!groups.empty() && !groups.front().empty());

@@ -1,6 +1,8 @@
 /// Tables for the terminal, in columns as wide as what stands in them.
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,9 @@ struct TextColumn {
 
 /// Columns that stay side by side.
 using TextGroup = std::vector<TextColumn>;
+
+/// Adds a cell to each column from the one at `first` on.
+void append_row(TextGroup& columns, std::span<std::string const> cells, std::size_t first = 0);
 
 /// Groups side by side. What a line does not hold (line_width) goes on below, again behind the first column of all.
 /// \param indent blanks before each line \pre all columns have as many cells

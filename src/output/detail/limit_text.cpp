@@ -49,12 +49,9 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
     TextGroup chances{{"P"}, {fmt::format("{:g} % interval", 100 * spec.confidence)}};
     for (auto const l : levels) {
         auto const& stripe = of.stripes[l];
-        std::array const numbers{stripe.trials, stripe.overturned, stripe.undecided, stripe.failed};
-        for (std::size_t c = 0; c < numbers.size(); ++c) {
-            counts[c].cells.push_back(std::to_string(numbers[c]));
-        }
-        chances[0].cells.push_back(estimate_text(stripe));
-        chances[1].cells.push_back(interval_text(stripe.interval(spec.confidence)));
+        append_row(counts, std::array{std::to_string(stripe.trials), std::to_string(stripe.overturned),
+                                      std::to_string(stripe.undecided), std::to_string(stripe.failed)});
+        append_row(chances, std::array{estimate_text(stripe), interval_text(stripe.interval(spec.confidence))});
     }
     std::vector<TextGroup> groups{{level_column(spec.levels, levels)}, counts};
     if (!grid) {

@@ -59,9 +59,7 @@ std::string together_text(CampaignSpec const& spec, std::span<BodiesTogether con
                                    fmt::format("{:.4f}", any.probability()),
                                    interval_text(any.interval(confidence)),
                                    fmt::format("{:.4f}", of.joint.if_independent[l])};
-            for (std::size_t c = 0; c < cells.size(); ++c) {
-                any_of[1 + c].cells.push_back(cells[c]);
-            }
+            append_row(any_of, cells, 1);
         }
         std::vector<TextGroup> groups{any_of};
         for (std::size_t p = 0; p < shown; ++p) {
