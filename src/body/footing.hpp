@@ -30,6 +30,8 @@ struct BasePlan {
 
     /// Some of the stiffness lies between the corners.
     [[nodiscard]] bool is_bed() const { return shape == BaseShape::square && corner_share != 1; }
+    /// A round base that stands on points of its rim.
+    [[nodiscard]] bool is_rim_of_points() const { return shape == BaseShape::round && points != 0; }
     /// A round base that presses along its whole rim, or with all of its face, without points and so without
     /// directions.
     [[nodiscard]] bool continuous() const { return shape == BaseShape::round && points == 0; }

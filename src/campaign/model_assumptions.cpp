@@ -51,10 +51,8 @@ Bears where_pads_are_elastic(CampaignSpec const& spec) {
 }
 
 Bears on_points_round_a_rim(CampaignSpec const& spec) {
-    return of_bodies(spec, [&](BodySpec const& body) {
-        auto const& base = body.footing.base;
-        return base.shape == BaseShape::round && !base.continuous() && allows_a_bed(spec);
-    });
+    return of_bodies(spec,
+                     [&](BodySpec const& body) { return body.footing.base.is_rim_of_points() && allows_a_bed(spec); });
 }
 
 Bears on_springs(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::yes : Bears::no; }

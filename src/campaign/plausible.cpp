@@ -20,6 +20,8 @@ namespace {
 
 using Lines = std::vector<std::string>;
 
+constexpr double closeness = 0.02;  // as near are two statements of one level
+
 // A spectrum of 1 g is a shape for any design basis: RG 1.60 is printed so, and many files are normalised.
 bool is_shape(TargetPga const& target) {
     constexpr double digits = 1e-3;
@@ -28,8 +30,7 @@ bool is_shape(TargetPga const& target) {
 
 // Levels by another measure than pga cannot be compared with it.
 void add_other_pga(LevelSpec const& levels, double basis, TargetPga const& target, Lines& lines) {
-    constexpr double close = 0.02;
-    bool const near = basis >= target.least_mps2 * (1 - close) && basis <= target.most_mps2 * (1 + close);
+    bool const near = basis >= target.least_mps2 * (1 - closeness) && basis <= target.most_mps2 * (1 + closeness);
     if (levels.measure == measure_named("pga") && !near && !is_shape(target)) {
         lines.push_back(
             fmt::format("design basis {}, but the target spectrum has {} at {} (waves are scaled to the design basis, "
@@ -43,9 +44,8 @@ void add_other_pga(LevelSpec const& levels, double basis, TargetPga const& targe
 
 // Factor 1 is the target as it is stated.
 void add_other_factor(LevelSpec const& levels, double basis, std::optional<TargetPga> const& target, Lines& lines) {
-    constexpr double close = 0.02;
     bool const shape = target && is_shape(*target);
-    if (levels.measure == measure_named("factor") && std::abs(basis - 1) > close && !shape) {
+    if (levels.measure == measure_named("factor") && std::abs(basis - 1) > closeness && !shape) {
         lines.push_back(
             fmt::format("design basis factor {} (factor 1 is the motion as it is stated). State that of "
                         "the design basis, and factor 1, if they are the same earthquake",

@@ -61,12 +61,11 @@ double bed_points(BodySpec const& body) {
 }
 double rim_points(BodySpec const& body) {
     auto const& base = body.footing.base;
-    bool const stands_on_points = base.shape == BaseShape::round && !base.continuous();
-    return stands_on_points && !body.footing.pad.strength_pa ? base.points : does_not_apply;
+    return base.is_rim_of_points() && !body.footing.pad.strength_pa ? base.points : does_not_apply;
 }
 double crushing_rim_points(BodySpec const& body) {
     auto const& base = body.footing.base;
-    return base.shape == BaseShape::round && body.footing.pad.strength_pa ? base.points : does_not_apply;
+    return base.is_rim_of_points() && body.footing.pad.strength_pa ? base.points : does_not_apply;
 }
 double inertia_across(BodySpec const& body) {
     return body.footing.inertia_across_kgm2.value_or(does_not_apply) / body.body.inertia_kgm2();

@@ -190,7 +190,6 @@ void add_match_knobs(std::vector<Knob>& knobs, CampaignInput const& input) {
     knobs.push_back(std::move(iterations));
 }
 
-bool is_rim_of_points(BasePlan const& base) { return base.shape == BaseShape::round && !base.continuous(); }
 std::string stated_rim(BasePlan const& /*base*/) { return R"(shape="round")"; }
 std::string stated_bed(BasePlan const& base) {
     return fmt::format(R"(shape="square",bedding={})",
@@ -225,7 +224,11 @@ PointedBases beds() {
 }
 
 PointedBases rims() {
-    return {"rim_points", "points round a rim", {16, 32, 64, 128, 256}, &is_rim_of_points, &stated_rim};
+    return {"rim_points",
+            "points round a rim",
+            {16, 32, 64, 128, 256},
+            [](BasePlan const& base) { return base.is_rim_of_points(); },
+            &stated_rim};
 }
 
 // None where such bases differ: no one position is the campaign's.
