@@ -76,7 +76,7 @@ struct RockingOutcome : Outcome {
     /// Peak rotation as the same share of the weaker corner's alpha, where corners differ; the peak is then the one
     /// nearest to its own corner's alpha. Else the peak rotation.
     double peak_reach_rad = 0;
-    double peak_side = 0;                      ///< of a block whose corners differ: the sign of the peak rotation
+    double peak_side = 0;                      ///< the sign of the peak rotation; 0: it never moved
     double impact_spin_radps = 0;              ///< largest |omega| before an impact
     double most_slip_m = 0, least_slip_m = 0;  ///< farthest that the base slipped to either side
     double landing_slip_mps = 0;               ///< of the corner at the end, towards the fall

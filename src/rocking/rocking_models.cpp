@@ -70,14 +70,38 @@ void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask call
     fill_landing(rocking, *trial.body, outcome);
 }
 
-RigidQuantities quantities_of(RockingOutcome const& rocking, double half_width_m, Outcome const& outcome, bool slips) {
+// About its corner a body's top goes b (1 - cos theta) + 2 h sin theta. Slip and rotation need not peak at once, nor
+// does the corner that was nearer to falling move the top farther: their largest together are never less.
+double farthest_top(RockingOutcome const& rocking, RigidBody const& body) {
+    auto const way = [&](double half_width_m, double rotation_rad) {
+        double const theta = std::min(rotation_rad, rocking::overturned_rad);
+        return half_width_m * (1 - std::cos(theta)) + 2 * body.centre_height_m() * std::sin(theta);
+    };
+    double top = way(body.half_width_m(), rocking.peak_rotation_rad);
+    if (body.lopsided()) {
+        for (double const side : {-1.0, 1.0}) {
+            auto const& corner = body.corner(side);
+            double const rotation = rocking.peak_reach_rad * corner.alpha_rad / body.alpha_rad();
+            top = std::max(top, way(std::max(corner.half_width_m, body.half_width_m()), rotation));
+        }
+    }
+    return top + rocking.peak_slip_m;
+}
+
+RigidQuantities quantities_of(RockingOutcome const& rocking, RigidBody const& body, Outcome const& outcome,
+                              bool slips) {
+    RigidQuantities all;
+    all.rotation_at_peak_rad = std::copysign(rocking.peak_rotation_rad, rocking.peak_side);
     bool const unfollowed = !slips && has(static_cast<EffectMask>(outcome.called), Effect::sliding);
     if (unfollowed || !std::isnan(outcome.contact_lost_s) || outcome.verdict == Verdict::contact_lost
         || outcome.verdict == Verdict::failed) {
-        return {};
+        return all;
     }
-    return {half_width_m + rocking.most_slip_m, rocking.least_slip_m - half_width_m,
-            outcome.verdict == Verdict::overturned ? never : rocking.residual_slip_m};
+    all.edge_x_most_m = body.half_width_m() + rocking.most_slip_m;
+    all.edge_x_least_m = rocking.least_slip_m - body.half_width_m();
+    all.residual_x_m = outcome.verdict == Verdict::overturned ? never : rocking.residual_slip_m;
+    all.peak_top_m = farthest_top(rocking, body);
+    return all;
 }
 
 void put_quantities(Batch const& batch, std::size_t i, RigidQuantities const& quantities) {
@@ -156,8 +180,7 @@ class RockingModel : public Model {
         for (std::size_t i = 0; i < which.size(); ++i) {
             auto const& trial = batch.trials[which[i]];
             conclude_one(outcomes[i], trial, batch.outcomes[which[i]]);
-            put_quantities(batch, which[i],
-                           quantities_of(outcomes[i], trial.body->half_width_m(), batch.outcomes[which[i]], false));
+            put_quantities(batch, which[i], quantities_of(outcomes[i], *trial.body, batch.outcomes[which[i]], false));
             if (slip == Slip::detected) {
                 checkpoints[which[i]] = stopped[i];
             }
@@ -202,7 +225,7 @@ class SlidingModel : public Model {
             bool const asked = has(static_cast<EffectMask>(batch.outcomes[i].called), Effect::sliding);
             bool const called = asked || outcome.peak_slip_m > 0;
             conclude(outcome, trial, called ? mask_of(Effect::sliding) : 0, batch.outcomes[i]);
-            put_quantities(batch, i, quantities_of(outcome, trial.body->half_width_m(), batch.outcomes[i], true));
+            put_quantities(batch, i, quantities_of(outcome, *trial.body, batch.outcomes[i], true));
         }
         return nullptr;
     }
@@ -220,7 +243,12 @@ template <> Fields const& fields_of<RigidQuantities>() {
                                  "farthest that the base's edge reached towards +x, from where the axis stood, or "
                                  "would have, laid down where its other edge stood"),
         field<&Q::edge_x_least_m>("edge_x_least", "m", "the same towards -x, negative"),
-        field<&Q::residual_x_m>("residual_x", "m", "place of the base's centre along x at the end; NaN: it fell")};
+        field<&Q::residual_x_m>("residual_x", "m", "place of the base's centre along x at the end; NaN: it fell"),
+        field<&Q::peak_top_m>("peak_top", "m",
+                              "longest way in plan of the top: on the axis, at twice the height of the centre of "
+                              "gravity; where it slips or its corners differ, at most that"),
+        field<&Q::rotation_at_peak_rad>("rotation_at_peak", "rad",
+                                        "peak rotation with its sign: above 0 towards +x; pi/2 if it fell that way")};
     return fields;
 }
 

@@ -9,13 +9,15 @@
 
 namespace overturn {
 
-/// What a rigid base has to say beside every model's outcome. Unknown where friction gave out and nothing slips, where
-/// the base flew, and without a verdict.
+/// What a rigid base has to say beside every model's outcome. Places are unknown where friction gave out and nothing
+/// slips, where the base flew, and without a verdict.
 struct RigidQuantities {
     /// Farthest that the base's edge was or, of a corner that the body was lifted off, would have been, laid down
     /// there.
     double edge_x_most_m = never, edge_x_least_m = never;
     double residual_x_m = never;  ///< of the base's middle, at the end, the body upright
+    double peak_top_m = never;    ///< of the axis at twice the height h; where it slips or its corners differ: at most
+    double rotation_at_peak_rad = never;  ///< of the peak rotation; towards +x above 0
 };
 template <> [[nodiscard]] Fields const& fields_of<RigidQuantities>();
 

@@ -139,6 +139,7 @@ inline std::map<std::string, Image> across_the_plane() {
     std::map<std::string, Image> images{{"residual_slip", {"residual_slip", -1}}};
     for (std::string const model : {"rocking", "sliding", "contact"}) {
         images[model + ".residual_x"] = {model + ".residual_x", -1};
+        images[model + ".rotation_at_peak"] = {model + ".rotation_at_peak", -1};
         for (auto const& [one, other] : {std::pair{"most", "least"}, std::pair{"least", "most"}}) {
             for (std::string const what : {"edge_x_", "rotation_"}) {
                 images[model + "." + what + one] = {model + "." + what + other, -1};

@@ -48,7 +48,6 @@ Corner differing_corner(RockingBlock const& block, double side, Restoring restor
     corner.hold_ratio = limited && block.friction_static < corner.base_ratio
                             ? std::tan(std::atan(block.friction_static) - side * block.lopsided->slope_rad)
                             : corner.uplift_ratio;
-    corner.side = side;
     corner.reach = block.alpha_rad / of.alpha_rad;
     corner.weight = corner.radius_m / block.radius_m();
     return corner;

@@ -20,7 +20,6 @@ struct Corner {
     ImpactLaw law;
     Potential potential;
     double impact_demand;  ///< |P_x| / P_z of an impact that leaves it, after which the other one sticks
-    double side = 0;       ///< of a corner that differs from the other one; else 0
     double reach = 1;      ///< the weaker corner's alpha over this one's
     double weight = 1;     ///< this corner's m g R over the weaker one's
 };

@@ -30,7 +30,7 @@ template <class V, int Stride, bool Vertical> class LaneBounds : protected LaneS
 
     // A step as planned, from here to the sample's end. What is large is referred to: copies go through memory.
     struct Plan {
-        V length;
+        V side, length;
         Forcing const& a;  // A
         Forcing const& g;  // Gv
         V ph, w;           // p length, and its square

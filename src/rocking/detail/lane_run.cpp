@@ -105,6 +105,7 @@ template <int Lanes> void load_lane(RockingRun const& run, RockingFields<Lanes>&
     set(RockingField::start, state.start_root == StartRoot::simple ? 1 : 0);
     set(RockingField::peak, run.log.peak());
     set(RockingField::peak_time, out.time_of_peak_s);
+    set(RockingField::peak_side, out.peak_side);
     set(RockingField::energy, run.log.energy());
     set(RockingField::demand, out.friction_demand);
     set(RockingField::normal, out.min_contact_force_ratio);
@@ -149,11 +150,11 @@ template <int Lanes> void store_lane(RockingRun& run, RockingFields<Lanes> const
     state.phi = get(RockingField::phi);
     state.omega = get(RockingField::omega);
     run.trig = {true, get(RockingField::sine), get(RockingField::cosine)};
-    state.side = get(RockingField::side);
+    run.stand_on(get(RockingField::side));
     index = static_cast<std::size_t>(get(RockingField::index));
     state.start_root = get(RockingField::start) > 0 ? StartRoot::simple : StartRoot::none;
     if (get(RockingField::peak) > log.peak()) {
-        log.raise_peak(get(RockingField::peak), get(RockingField::peak_time));
+        log.raise_peak(get(RockingField::peak), get(RockingField::peak_time), get(RockingField::peak_side));
     }
     // log.energy() is a quotient: an energy that the lane left as it was may not come back raised by its rounding.
     if (get(RockingField::energy) > log.energy()) {

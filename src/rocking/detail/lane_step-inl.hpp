@@ -183,8 +183,7 @@ OVERTURN_LANES_INLINE void Stepper<V, Stride, Vertical>::apply_impacts(Plan cons
     after.tau = choose(impacts, min(get(RockingField::time_step), fma(u, length, get(RockingField::tau))), after.tau);
     after.start = choose(impacts, one, zero);
     after.taken = after.taken | impacts;
-    V const side = get(RockingField::side);
-    put(RockingField::side, choose(impacts, -side, side));
+    put(RockingField::side, choose(impacts, -plan.side, plan.side));
     V const fastest = get(RockingField::impact_spin);
     put(RockingField::impact_spin, choose(impacts, max(approach, fastest), fastest));
     V const count = get(RockingField::impacts);
@@ -211,6 +210,7 @@ OVERTURN_LANES_INLINE void Stepper<V, Stride, Vertical>::write(Plan const& plan,
         V const since = choose(inside, peaks.share * plan.length, fma(after.index - index, dt, after.tau - tau));
         put(RockingField::peak_time, choose(higher, fma(index, dt, tau + since), get(RockingField::peak_time)));
         put(RockingField::peak, choose(higher, max(after.phi, peaks.phi), peak));
+        put(RockingField::peak_side, choose(higher, plan.side, get(RockingField::peak_side)));
     }
     bool const some_stay = any(stays);
     auto const keep = [&](RockingField field, V now)
@@ -251,7 +251,8 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(LaneStep* shown) -
     V const scale = get(RockingField::scale);
     V const length = get(RockingField::time_step) - tau;
     V const into = tau * get(RockingField::sampling_rate);
-    Forcing const a = this->forcing(RockingWave::horizontal, get(RockingField::side) * scale, index, into);
+    V const side = get(RockingField::side);
+    Forcing const a = this->forcing(RockingWave::horizontal, side * scale, index, into);
     Forcing g{one, 0, one};
     if constexpr (Vertical) {
         g = this->forcing(RockingWave::vertical, scale, index, into);
@@ -262,7 +263,7 @@ OVERTURN_LANES_INLINE auto Stepper<V, Stride, Vertical>::step(LaneStep* shown) -
     V const w = ph * ph;
     Series const x = this->expand(length, w, a, g);
     Target const to = this->target(x);
-    Plan const plan{length, a, g, ph, w, x, get(RockingField::phi), get(RockingField::omega), x.s[0], x.c[0], to};
+    Plan const plan{side, length, a, g, ph, w, x, get(RockingField::phi), get(RockingField::omega), x.s[0], x.c[0], to};
     Bounds const bounds = this->bounds_of(plan);
     Landing const landing = this->landing_of(plan, bounds);
     // The series is sound: its last terms are small (as in step_length), its sums exact. A fall is out of reach.

@@ -25,6 +25,7 @@ enum class RockingField : int {
     // log
     peak,
     peak_time,
+    peak_side,
     energy,
     demand,
     normal,

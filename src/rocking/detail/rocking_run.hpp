@@ -69,7 +69,7 @@ struct RockingRun {
     [[nodiscard]] Corner const& corner() const { return setup.at_side(state.side); }
     void stand_on(double side) {
         state.side = side;
-        log.stand_on(corner().side, corner().reach, corner().weight);
+        log.stand_on(side, corner().reach, corner().weight);
     }
     /// Forces along the horizon and the vertical as forces along the ground and across it, over m g.
     [[nodiscard]] ContactForces<double> to_ground(double friction, double normal, double side) const {

@@ -19,19 +19,20 @@ class TrialLog {
     [[nodiscard]] bool observed() const { return observer_ != nullptr; }
     [[nodiscard]] bool done() const { return done_; }
 
-    /// Sets which of two differing corners it stands on. \param reach the weaker corner's alpha over this one's
+    /// Sets which corner it stands on. \param reach the weaker corner's alpha over this one's
     /// \param weight this corner's m g R over the weaker one's
     void stand_on(double side, double reach, double weight) {
         side_ = side;
         reach_ = reach;
         weight_ = weight;
     }
-    void raise_peak(double phi, double time_s) {
+    void raise_peak(double phi, double time_s) { raise_peak(phi, time_s, side_); }
+    void raise_peak(double phi, double time_s, double side) {
         if (double const reached = phi * reach_; reached > out_.peak_reach_rad) {
             out_.peak_reach_rad = reached;
             out_.peak_rotation_rad = phi;
             out_.time_of_peak_s = time_s;
-            out_.peak_side = side_;
+            out_.peak_side = side;
         }
     }
     /// The rotation about this corner that would be as near to falling as the peak was.
@@ -70,9 +71,7 @@ class TrialLog {
     void overturn(double time_s, double omega) {
         out_.overturn_time_s = time_s;
         out_.landing_spin_radps = omega;
-        if (side_ != 0) {
-            out_.peak_reach_rad = 0;  // the fall is the peak, however near to falling over the other corner it was
-        }
+        out_.peak_reach_rad = 0;  // the fall is the peak, however near to falling over the other corner it was
         raise_peak(overturned_rad, time_s);
         end(Verdict::overturned);
     }
@@ -98,7 +97,7 @@ class TrialLog {
     RockingOutcome out_;
     double top_;
     double energy_ = 0;  ///< its peak, over m g R of the weaker corner
-    double side_ = 0, reach_ = 1, weight_ = 1;
+    double side_ = 1, reach_ = 1, weight_ = 1;
     RockingObserver* observer_;
     bool done_ = false;
 };
