@@ -70,6 +70,9 @@ Environment::Environment() {
         // Nor a folder: all processes of a user share its parent, and one that ends removes it while another one makes
         // its own ("orte_session_dir failed", 1 of 300 starts beside seven others).
         ::setenv("OMPI_MCA_orte_create_session_dirs", "0", 0);
+        // Nor a network, and it talks to itself only. Libraries of fabrics (PSM2) measure the clock for 0.1 s.
+        ::setenv("OMPI_MCA_pml", "ob1", 0);
+        ::setenv("OMPI_MCA_btl", "self", 0);
     }
     // UCX's handler of a crash frees memory: where the heap is what crashed, it waits for ever.
     ::setenv("UCX_HANDLE_ERRORS", "none", 0);
