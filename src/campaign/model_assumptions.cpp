@@ -55,6 +55,15 @@ Bears on_points_round_a_rim(CampaignSpec const& spec) {
                      [&](BodySpec const& body) { return body.footing.base.is_rim_of_points() && allows_a_bed(spec); });
 }
 
+// On its corners a square body turns from one edge to the next, and what rolling loses hardly shows.
+Bears where_bodies_roll(CampaignSpec const& spec) {
+    return of_bodies(spec, [&](BodySpec const& body) {
+        auto const& base = body.footing.base;
+        bool const on_corners = base.shape == BaseShape::square && base.corner_share == 1;
+        return body.axes > 1 && !on_corners && may_shake_across(spec) && allows(spec, Effect::spatial);
+    });
+}
+
 Bears on_springs(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::yes : Bears::no; }
 
 Bears where_no_site(CampaignSpec const& spec) { return spec.site.has_gaps() ? Bears::no : Bears::yes; }
@@ -144,6 +153,12 @@ constexpr std::array assumptions{
                     "300 trials (A, 3 MPa): 127 fall on 64 points, 119 and 126 on turned ones, 126 on 256; a pulse "
                     "turned in plan tilts by 0.704 to 0.707 alpha, its way of slip is 23 to 77 mm",
                     "src/contact/README.md; campaigns/guide/supports.md", on_points_round_a_rim},
+    ModelAssumption{
+        "rolling-loss", "what the pad takes from a body that rolls on its edge follows from the rebound of a flat drop",
+        Misjudged::unsafe, "none",
+        "of 400 (A, on its rim) 161 fall, 116 with twice the damping; on a flat square base, damped as a rim "
+        "is, 22 more and 4 fewer of 180",
+        "src/contact/README.md; campaigns/guide/supports.md", where_bodies_roll},
     ModelAssumption{
         "constant-friction", "friction is Coulomb's: its coefficients depend on neither velocity, pressure nor wear",
         Misjudged::unknown, "bodies.friction", "of 100 at 1200 gal (B), friction 0.2, 0.55, 0.8: 0, 82 and 82 overturn",

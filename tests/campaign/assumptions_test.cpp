@@ -88,6 +88,12 @@ TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {
     EXPECT_EQ(bears("elastic-pad", body("pad={strength='30 MPa'}\n")), Bears::no);
     EXPECT_EQ(bears("rim-of-points", body("base={shape='round'}\npad={strength='30 MPa'}\n")), Bears::yes);
     EXPECT_EQ(bears("rim-of-points", body("base={shape='round'}\n")), Bears::no);
+    auto const in_space = [&](std::string const& keys) { return bears("rolling-loss", across + keys + levels); };
+    EXPECT_EQ(in_space("base={shape='round'}\n"), Bears::yes);
+    EXPECT_EQ(in_space("base={bedding='flat'}\n"), Bears::yes);
+    EXPECT_EQ(in_space(""), Bears::no) << "square, on its corners";
+    EXPECT_EQ(in_space("axes=1\nbase={shape='round'}\n"), Bears::no);
+    EXPECT_EQ(bears("rolling-loss", body("base={shape='round'}\n")), Bears::no) << "one component";
     EXPECT_EQ(bears("no-slip", plain), Bears::yes);
     EXPECT_EQ(bears("no-slip", body("friction=0.5\n")), Bears::no);
     EXPECT_EQ(bears("no-slip", body("friction=0.5\n") + "[effects]\nmode='none'\n"), Bears::yes);
