@@ -65,11 +65,15 @@ std::string with_blank(std::string text) {
 double seconds_until(std::string const& end, std::chrono::system_clock::time_point now) {
     constexpr double leaving_s = 30;
     constexpr double leaving_share = 0.1;
+    constexpr double stale_s = hour_s;
     double at = 0;
     bool const number = !end.empty() && end.find_first_not_of("0123456789") == std::string::npos;
     double const left =
-        number && parse_number(end, at) ? at - std::chrono::duration<double>(now.time_since_epoch()).count() : 0;
-    return left > 0 ? left - std::min(leaving_s, leaving_share * left) : std::numeric_limits<double>::infinity();
+        number && parse_number(end, at) ? at - std::chrono::duration<double>(now.time_since_epoch()).count() : -stale_s;
+    if (left <= -stale_s) {
+        return std::numeric_limits<double>::infinity();
+    }
+    return left > 0 ? left - std::min(leaving_s, leaving_share * left) : 0;
 }
 
 double parse_walltime(std::string const& text) {

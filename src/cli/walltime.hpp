@@ -11,7 +11,8 @@ namespace overturn::cli {
 [[nodiscard]] double parse_walltime(std::string const& text);
 
 /// From `now` until a job ends that a batch system ends at the UNIX time `end`, less what leaving takes: a tenth of it,
-/// 30 s at most. Infinite where there is no such time, or it has passed. [s]
+/// 30 s at most. 0 where it has just passed, as where a busy node starts the program late. Infinite where there is no
+/// such time, or it passed more than an hour ago, so that it is another job's. [s]
 [[nodiscard]] double seconds_until(std::string const& end, std::chrono::system_clock::time_point now);
 
 }  // namespace overturn::cli
