@@ -8,7 +8,7 @@
 namespace overturn::cli {
 
 void add_merge(CommandLine& line) {
-    auto verb = line.verb("merge", "make one results file from the parts that run --part left beside it");
+    auto verb = line.verb("merge", "make one results file of the blocks that run --part or --leave-blocks left");
     auto path = std::make_shared<std::string>();
     auto text = std::make_shared<TextChoice>();
     auto packing = std::make_shared<Packing>();

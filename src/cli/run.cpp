@@ -32,6 +32,7 @@ struct RunVerbOptions {
     TextChoice text;
     bool resume = false;
     bool extend = false;
+    bool leaves_blocks = false;
     Packing packing;
 };
 
@@ -95,6 +96,7 @@ int run(RunVerbOptions const& options, parallel::Communicator const& comm) {
     run_options.output = output_of(options);
     run_options.resume = options.resume;
     run_options.extend = options.extend;
+    run_options.leaves_blocks = options.leaves_blocks;
     run_options.max_walltime_s = seconds_of_job(comm);
     if (options.max_walltime) {
         run_options.max_walltime_s = std::min(run_options.max_walltime_s, read_walltime(*options.max_walltime));
@@ -125,6 +127,8 @@ void add_run(CommandLine& line) {
     verb.takes("--max-walltime", options->max_walltime,
                "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00; a bare number is seconds");
     verb.takes("--part", options->part, "I/N: only the I-th of N parts, for array jobs; merge puts them together");
+    verb.takes("--leave-blocks", options->leaves_blocks,
+               "make no results file: merge does, in a job of one rank while no other waits");
     verb.takes("--progress", options->progress, "json: what is told on stderr as one JSON object a line", "json");
     options->packing.offered_by(verb);
     options->text.offered_by(verb);

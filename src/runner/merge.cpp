@@ -71,6 +71,42 @@ void require_same_program(CampaignInput const& begun, std::filesystem::path cons
         output.string(), begun.libraries, here.libraries);
 }
 
+// What the parts of a campaign left.
+struct PartsMerge {
+    std::filesystem::path const& output;
+    CampaignInput const& input;
+    CampaignSpec const& spec;
+    Plan const& whole;
+    store::ShardFolder const& shards;
+    MergeOptions const& options;
+
+    // Makes the file of these blocks, or names what is missing.
+    [[nodiscard]] MergeEnd with(std::vector<std::int64_t> const& blocks) const {
+        AcceptedWaves waves(spec, whole);
+        take_rows(waves, whole, shards, blocks);
+        validate(waves.hopeless().empty(), "{}: {}", input.name, waves.hopeless());
+        auto const chosen = chosen_of(spec, whole, waves, shards);
+        if (!chosen) {
+            auto const missing = waves.wanted(whole.count());
+            print_note("{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
+                       shards.folder().string(), whole.waves_text(missing), missing.size(), whole.blocks(),
+                       resume_command(input, output));
+            return MergeEnd::missing;
+        }
+        if (spec.rare) {
+            print_note("{}: the rare events are missing (all ranks work at them, stage by stage). Go on with: {}\n",
+                       shards.folder().string(), resume_command(input, output));
+            return MergeEnd::missing;
+        }
+        auto const segments = shards.segments();
+        auto const tables = merge_blocks(
+            output, input, spec, whole, *chosen, shards, [] { return true; }, {}, options);
+        write_runtime(output, segments);
+        fmt::print("{}results: {}\n", *tables, output.string());
+        return MergeEnd::complete;
+    }
+};
+
 }  // namespace
 
 std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
@@ -146,29 +182,24 @@ MergeEnd merge_parts(std::filesystem::path const& output, MergeOptions const& op
     Plan const whole(spec);
     require_same_program(input, output);
     store::ShardFolder const shards(output, input.block_key());
-    auto const committed = sound_blocks(shards, whole, {0, whole.blocks()});
-    AcceptedWaves waves(spec, whole);
-    take_rows(waves, whole, shards, committed);
-    validate(waves.hopeless().empty(), "{}: {}", input.name, waves.hopeless());
-    auto const chosen = chosen_of(spec, whole, waves, shards);
-    if (!chosen) {
-        auto const missing = waves.wanted(whole.count());
-        print_note("{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
-                   shards.folder().string(), whole.waves_text(missing), missing.size(), whole.blocks(),
-                   resume_command(input, output));
-        return MergeEnd::missing;
+    PartsMerge const merge{output, input, spec, whole, shards, options};
+    // Merging checks every block that it reads: only where one is not sound are all of them read to name the others.
+    auto const by_name = shards.listed({0, whole.blocks()});
+    if (std::ssize(by_name) == whole.blocks() && !AcceptedWaves(spec, whole).needs_rows()) {
+        try {
+            return merge.with(by_name);
+        } catch (SystemError const&) {
+            if (std::filesystem::exists(output)) {
+                throw;
+            }
+            auto const sound = sound_blocks(shards, whole, {0, whole.blocks()});
+            if (sound.size() == by_name.size()) {
+                throw;
+            }
+            return merge.with(sound);
+        }
     }
-    if (spec.rare) {
-        print_note("{}: the rare events are missing (all ranks work at them, stage by stage). Go on with: {}\n",
-                   shards.folder().string(), resume_command(input, output));
-        return MergeEnd::missing;
-    }
-    auto const segments = shards.segments();
-    auto const tables = merge_blocks(
-        output, input, spec, whole, *chosen, shards, [] { return true; }, {}, options);
-    write_runtime(output, segments);
-    fmt::print("{}results: {}\n", *tables, output.string());
-    return MergeEnd::complete;
+    return merge.with(sound_blocks(shards, whole, {0, whole.blocks()}));
 }
 
 }  // namespace overturn

@@ -38,7 +38,8 @@ struct MergeOptions {
 /// End of merging the parts of an array job.
 enum class MergeEnd { complete, missing };
 
-/// Merges what `overturn run --part` left beside `output`, however many parts it was. Prints the results.
+/// Merges what `overturn run --part` or `--leave-blocks` left beside `output`, however many parts it was. Prints the
+/// results.
 /// \throws InputError if nothing was begun there, or a run is writing there now
 [[nodiscard]] MergeEnd merge_parts(std::filesystem::path const& output, MergeOptions const& options = {});
 

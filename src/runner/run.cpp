@@ -38,6 +38,10 @@ std::vector<std::int64_t> all_of(store::BlockRange const& range) {
 // What a stopped run, or a finished part, has to say.
 void print_what_is_left(CampaignInput const& input, RunOptions const& options, std::int64_t done, std::int64_t blocks) {
     auto const again = resume_command(input, options.output, options.extend ? "--extend" : "--resume");
+    if (options.part.is_whole() && options.leaves_blocks && done == blocks) {
+        fmt::print("all blocks are done. For the file: overturn merge {}\n", options.output.string());
+        return;
+    }
     if (options.part.is_whole()) {
         print_note("stopped early: {} of {} blocks are done and safe. Go on with: {}\n", done, blocks, again);
         return;
@@ -73,6 +77,9 @@ class Run {
         validate(!options_.extend || options_.part.is_whole(),
                  "--extend beside --part (one run extends). Leave one out");
         OutputRequest const request{options_.resume || options_.extend, options_.extend, options_.part};
+        validate(!options_.leaves_blocks || (!options_.extend && !spec_.rare),
+                 "--leave-blocks beside {} (which need the file). Leave one out",
+                 options_.extend ? "--extend" : "[rare]");
         auto const found = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
             auto const state = claim_output(options_.output, shards_, input_, plan_, request, claim_);
             auto const kept =
@@ -110,8 +117,8 @@ class Run {
             rare_ = run_rare(spec_, shards_, stop_policy_, comm_);
             whole = rare_.has_value();
         }
-        auto const end = whole && options_.part.is_whole() ? merge() : whole ? RunEnd::complete : RunEnd::stopped;
-        if (comm_.is_root() && (end == RunEnd::stopped || !options_.part.is_whole())) {
+        auto const end = whole && merges() ? merge() : whole ? RunEnd::complete : RunEnd::stopped;
+        if (comm_.is_root() && (end == RunEnd::stopped || !merges())) {
             print_what_is_left(input_, options_, asked_ - unfinished_, asked_);
         }
         account();
@@ -119,6 +126,8 @@ class Run {
     }
 
   private:
+    [[nodiscard]] bool merges() const { return options_.part.is_whole() && !options_.leaves_blocks; }
+
     // Up to each stopping point, where all ranks wait for the answer; a part cannot know it and does all its blocks.
     bool draw_all() {
         for (auto const count : stopping_points(spec_, plan_)) {
@@ -252,7 +261,7 @@ class Run {
                 print_note("the times of this run are not kept: {}\n", error.what());
             }
         }
-        if (options_.part.is_whole()) {
+        if (merges()) {
             write_runtime(options_.output, segments);
         }
     }

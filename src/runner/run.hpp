@@ -16,12 +16,13 @@ struct RunOptions {
     bool resume = false;
     bool extend = false;  ///< rows of a finished file go into this one; implies resume
     double max_walltime_s = std::numeric_limits<double>::infinity();
-    Part part;             ///< the whole, or one part of an array job, whose blocks wait for merge_parts
-    bool quiet = false;    ///< no table on stdout
-    MergeOptions merge{};  ///< layout of the file, and what of the results is printed
+    Part part;                   ///< the whole, or one part of an array job, whose blocks wait for merge_parts
+    bool quiet = false;          ///< no table on stdout
+    bool leaves_blocks = false;  ///< all blocks wait for merge_parts, as those of a part do
+    MergeOptions merge{};        ///< layout of the file, and what of the results is printed
 };
 
-/// A part that is done is complete.
+/// A part, or a run that leaves its blocks, is complete when these are done.
 enum class RunEnd { complete, stopped };
 
 /// Collective. Prints progress on stderr and the results on stdout, both from rank 0.

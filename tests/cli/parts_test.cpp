@@ -70,6 +70,25 @@ TEST_F(Parts, MergedAreTheBytesOfOneRun) {
     EXPECT_NE(again.out.find("complete already"), std::string::npos) << again.out;
 }
 
+/// Many ranks need not wait for the one that merges: a job of one rank makes the file of the blocks that they leave.
+TEST_F(Parts, OfOneRunAreLeftForMerge) {
+    auto const run = [&](std::vector<std::string> const& more) {
+        return execute(folder, mpirun(2, joined({"run", "c.toml", "--leave-blocks"}, more)));
+    };
+    auto const extending = run({"--extend"});
+    EXPECT_EQ(extending.code, 2);
+    EXPECT_NE(extending.err.find("--leave-blocks beside --extend"), std::string::npos) << extending.err;
+    expect_part_done(run({}));
+    EXPECT_FALSE(folder.has("c.runtime.json"));
+    auto const so_far = overturn(folder, {"fit", "c.h5", "--interim", "--json"});
+    EXPECT_EQ(nlohmann::json::parse(so_far.out).at("interim").at("waves"), 21) << so_far.err;
+    expect_part_done(run({"--resume"}));
+
+    EXPECT_EQ(merge().code, 0);
+    EXPECT_EQ(nlohmann::json::parse(folder.read("c.runtime.json")).at("trials"), 42);
+    expect_as_one_run();
+}
+
 /// More parts than blocks, all at once, as an array starts them.
 TEST_F(Parts, StartedTogetherDoNotDisturbEachOther) {
     folder.write("c.toml", small_campaign("shared", 3));
