@@ -1,11 +1,12 @@
-"""Requirement R-1101, R-1107: kills runs at random instants while they compute, extend and merge, and holds what is there against unbroken runs.
+"""Requirement R-1101, R-1107: kills runs while they compute, extend and merge, and holds what is there against unbroken runs.
 
     kills.py PROGRAM [KILLS] [--mpirun MPIRUN] [--seed N]
 
-Each round takes one campaign through growth: begun with some waves, killed, gone on with, then extended by waves, a body or
-levels, killed again, until it is complete. Every kill is SIGKILL, of all processes at once, of one rank, or of mpirun alone. After
-each the finished file that was there must be there still, byte by byte, or be the larger one; every block that was committed
-must be there still; and at the end the file must have the bytes of the larger campaign run at once. Ends with 1 at the first loss.
+Each round takes one campaign through growth by waves, a body or levels: a finished file by --extend; the blocks of a killed run by
+--resume; or by two parts and the verb merge. Every kill is SIGKILL, of all processes at once, of one rank, or of mpirun alone, at a
+random instant of the run or of its merging. After each the finished file that was there must be there still, byte by byte, or be the
+larger one; every block that was committed must be there still; and at the end the file must have the bytes of the larger campaign run
+at once. Ends with 1 at the first loss.
 """
 
 import argparse
@@ -59,6 +60,7 @@ FEW, MORE = "'300 gal', '600 gal', '1200 gal'", "'300 gal', '450 gal', '600 gal'
 SMALL = {"waves": 12, "body": "", "levels": FEW}
 GROWTHS = {"waves": {"waves": 30}, "a body": {"body": BODY}, "levels": {"levels": MORE},
            "all of these": {"waves": 20, "body": BODY, "levels": MORE}}
+SHORT_S = 0.03  # that merging takes, and some blocks
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
        "OMPI_MCA_hwloc_base_binding_policy": "none", "OMPI_MCA_pml": "ob1", "OMPI_MCA_btl": "self,vader"}
 
@@ -94,11 +96,13 @@ class Kills:
         self.program, self.mpirun, self.random = program, mpirun, random.Random(seed)
         self.count = collections.Counter()
         self.started = 0
+        self.way = ""
 
-    def command(self, folder, campaign, *more):
-        run = [self.program, "run", f"{campaign}.toml", "-o", "c.h5", *more]
+    def launched(self, verb):
+        """The command, on a random number of ranks where the verb has any."""
         ranks = self.random.randint(1, 3)
-        return run if ranks == 1 or not self.mpirun else [self.mpirun, "-n", str(ranks), *run]
+        alone = ranks == 1 or verb[0] == "merge" or not self.mpirun
+        return [self.program, *verb] if alone else [self.mpirun, "-n", str(ranks), self.program, *verb]
 
     def environment(self, folder):
         """mpirun's own files go into a place of their own: what a killed one leaves can keep the next from starting."""
@@ -116,11 +120,22 @@ class Kills:
                        env=self.environment(folder))
         return digest(folder / name), time.monotonic() - begin
 
-    def kill_one(self, folder, campaign, life_s):
-        """Starts a run and kills it; true if there was something to kill."""
-        process = subprocess.Popen(self.command(folder, campaign, "--extend"), cwd=folder, env=self.environment(folder),
-                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        time.sleep(life_s * self.random.random())
+    def wait(self, process, parts, merging, life_s):
+        """Until a random instant of the run, of its blocks, or of its merging."""
+        aim = self.random.choice((None, lambda: any(parts.glob("*.block")), merging.exists))
+        if aim is None:
+            time.sleep(life_s * self.random.random())
+            return
+        while process.poll() is None and not aim() and not merging.exists():
+            time.sleep(0.001)
+        time.sleep(SHORT_S * self.random.random())
+
+    def kill_one(self, folder, verb, life_s, wanted):
+        """Starts a run and kills it, if it has not ended before."""
+        parts, merging, output = folder / "c.h5.parts", folder / "c.h5.merging", folder / "c.h5"
+        process = subprocess.Popen(self.launched(verb), cwd=folder, env=self.environment(folder), stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.wait(process, parts, merging, life_s)
         ranks = children(process.pid) or [process.pid]
         victim = self.random.choice(("all", "one rank", "the launcher"))
         hit = process.poll() is None
@@ -130,54 +145,79 @@ class Kills:
                 os.kill(pid, signal.SIGKILL)
             except ProcessLookupError:
                 pass
-        parts, merging = folder / "c.h5.parts", folder / "c.h5.merging"
-        when = "while merging" if merging.exists() else "among blocks" if blocks_in(parts) else "elsewhere"
+        merges = merging.exists()
         process.wait()
         for rank in ranks:  # they outlive a killed mpirun for some seconds
             while pathlib.Path(f"/proc/{rank}").exists() and time.sleep(0.02) is None:
                 pass
         if hit:
+            blocks = parts.exists() and any(parts.rglob("*.block"))
+            phase = ("merging" if merges else "removing blocks" if digest(output) == wanted and parts.exists() else
+                     "among blocks" if blocks else "before the first block, or after the end")
             self.count["kills"] += 1
             self.count[f"of {victim}"] += 1
-            self.count[when] += 1
-        return hit
+            self.count[f"{self.way}: {phase}"] += 1
 
-    def go_on(self, folder, campaign, wanted, before, life_s, kills):
-        """Kills so many runs of the campaign and lets one end. \\return what was lost; empty: nothing."""
-        parts, output = folder / "c.h5.parts", folder / "c.h5"
-        known = blocks_in(parts)
-        for _ in range(kills):
-            self.kill_one(folder, campaign, life_s)
-            now = digest(output)
-            if now not in (before, wanted):
-                return f"the file of before is gone or another one: {now}"
-            if now == wanted:
-                known = {}
-                continue
-            after = blocks_in(parts)
-            lost = {name for key, name in known.items() if key not in after}
+    def loss(self, folder, before, wanted, known):
+        """What is missing of the file that was there before and of the blocks that were known, which are then all that are there."""
+        now = digest(folder / "c.h5")
+        if now not in (before, wanted):
+            return f"the file of before is gone or another one: {now}"
+        after = blocks_in(folder / "c.h5.parts")
+        lost = {name for key, name in known.items() if key not in after} if now != wanted else {}
+        known.clear()
+        known.update(after if now != wanted else {})
+        return f"committed blocks are gone: {sorted(lost)}" if lost else ""
+
+    def go_on(self, folder, verbs, wanted, before, life_s, kills):
+        """Kills so many runs of each verb and lets one end; the last makes the file. \\return what was lost; empty: nothing."""
+        known = blocks_in(folder / "c.h5.parts")
+        for verb in verbs:
+            for _ in range(kills):
+                self.kill_one(folder, verb, life_s, wanted)
+                lost = self.loss(folder, before, wanted, known)
+                if lost:
+                    return lost
+            ended = subprocess.run(self.launched(verb), cwd=folder, env=self.environment(folder), stdin=subprocess.DEVNULL,
+                                   capture_output=True, text=True)
+            if ended.returncode != 0:
+                return f"the run that goes on ends with {ended.returncode}: {ended.stderr[-500:]}"
+            lost = self.loss(folder, before, wanted, known)
             if lost:
-                return f"committed blocks are gone: {sorted(lost)}"
-            known = after
-        ended = subprocess.run(self.command(folder, campaign, "--extend"), cwd=folder, env=self.environment(folder),
-                               stdin=subprocess.DEVNULL, capture_output=True, text=True)
-        if ended.returncode != 0:
-            return f"the run that goes on ends with {ended.returncode}: {ended.stderr[-500:]}"
-        if digest(output) != wanted:
+                return lost
+        if digest(folder / "c.h5") != wanted:
             return "the file differs from that of the campaign run at once"
-        if parts.exists():
-            return f"left behind: {[path.name for path in parts.rglob('*')]}"
+        left = [path.name for path in folder.glob("c.h5?*") if path.name != "c.h5.runtime.json"]
+        return f"left behind: {left}" if left else ""
+
+    def begin(self, folder, wholes):
+        """Runs the small campaign as its way asks: to its end, or until it is killed among its blocks."""
+        run = ["run", "small.toml", "-o", "c.h5", "--resume"]
+        wanted, life_s = wholes["small"]
+        if self.way == "--extend":
+            return self.go_on(folder, [run], wanted, None, life_s, self.random.randint(0, 2))
+        if self.way == "--resume":
+            self.kill_one(folder, run, life_s, wanted)
+            return self.loss(folder, None, wanted, {})
         return ""
 
-    def round(self, folder, kinds, wholes):
-        growth = self.random.choice(kinds)
-        first = self.go_on(folder, "small", wholes["small"][0], None, wholes["small"][1], self.random.randint(0, 2))
-        if first:
-            return f"begun: {first}"
-        then = self.go_on(folder, growth, wholes[growth][0], wholes["small"][0], wholes[growth][1], self.random.randint(1, 4))
-        (folder / "c.h5").unlink(missing_ok=True)
-        self.count[f"grown by {growth}"] += 1
-        return f"grown by {growth}: {then}" if then else ""
+    def round(self, folder, wholes):
+        self.way = self.random.choice(("--extend", "--resume", "parts and merge"))
+        growth = self.random.choice(list(GROWTHS))
+        lost = self.begin(folder, wholes)
+        if lost:
+            return f"{self.way}, begun: {lost}"
+        run = ["run", f"{growth}.toml", "-o", "c.h5"]
+        if self.way == "parts and merge":
+            verbs = [[*run, "--resume", "--part", "1/2"], [*run, "--resume", "--part", "2/2"], ["merge", "c.h5"]]
+        else:  # a small run that was killed too late has made its file
+            verbs = [[*run, "--extend" if self.way == "--extend" or (folder / "c.h5").exists() else "--resume"]]
+        lost = self.go_on(folder, verbs, wholes[growth][0], digest(folder / "c.h5"), wholes[growth][1], self.random.randint(1, 3))
+        if lost:
+            return f"{self.way}, grown by {growth}: {lost}"
+        for path in folder.glob("c.h5*"):
+            path.unlink()
+        return ""
 
 
 def main():
@@ -199,12 +239,13 @@ def main():
             wholes[name] = kills.whole(folder, name, "whole.h5")
             (folder / "whole.h5").unlink()
         while kills.count["kills"] < asked.kills:
-            lost = kills.round(folder, list(GROWTHS), wholes)
+            lost = kills.round(folder, wholes)
             print(f"{kills.count['kills']} of {asked.kills} kills", file=sys.stderr)
             if lost:
                 print(f"LOST after {kills.count['kills']} kills: {lost}")
                 return 1
-    print(", ".join(f"{key} {number}" for key, number in sorted(kills.count.items())))
+    for key, number in sorted(kills.count.items()):
+        print(f"{number:6} {key}")
     print(f"{kills.count['kills']} kills, nothing lost")
     return 0
 
