@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/text_width.hpp"
 #include "store/format_versions.hpp"
 #include "store/known_columns.hpp"
 
@@ -90,7 +91,7 @@ std::string columns_text(std::vector<ListedGroup> const& groups) {
         text += fmt::format("/{}\n", group.name);
         std::size_t widest = 0;
         for (auto const& column : group.columns) {
-            widest = std::max(widest, column.path.size());
+            widest = std::max(widest, text_width(column.path));
         }
         for (auto const& column : group.columns) {
             auto const unit = unit_of(column);

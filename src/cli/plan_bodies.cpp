@@ -8,6 +8,7 @@
 
 #include "campaign/typed_units.hpp"
 #include "contact/matching.hpp"
+#include "core/text_width.hpp"
 #include "core/texts_of.hpp"
 #include "core/wrapped.hpp"
 
@@ -102,7 +103,7 @@ std::string placement_text(RigidBody const& body, IntensityUnit const& accelerat
 // A name keeps to its column.
 std::string short_name(std::string const& name) {
     constexpr std::size_t most = 22;
-    return name.size() <= most ? name : name.substr(0, most - 2) + "..";
+    return text_width(name) <= most ? name : std::string(text_head(name, most - 2)) + "..";
 }
 
 }  // namespace
@@ -111,7 +112,7 @@ std::string bodies_text(CampaignSpec const& spec, output::ShownVelocity const& u
     auto const& bodies = spec.bodies;
     std::size_t width = std::string("bodies").size();
     for (auto const& body : bodies) {
-        width = std::max(width, short_name(body.name).size());
+        width = std::max(width, text_width(short_name(body.name)));
     }
     constexpr std::array columns{9, 11, 9, 7, 8, 13, 12};
     auto const line = [&](std::string const& name, std::array<std::string, columns.size()> const& cells) {

@@ -4,11 +4,13 @@
 
 #include <fmt/format.h>
 
+#include "core/text_width.hpp"
+
 namespace overturn {
 
 std::string wrapped(std::string_view text, std::size_t indent, std::size_t width, std::string begun) {
     auto lines = std::move(begun);
-    std::size_t column = lines.size();
+    std::size_t column = text_width(lines);
     bool fresh = true;  // no word stands in the line yet
     while (!text.empty()) {
         auto end = std::min(text.find(' '), text.size());
@@ -17,7 +19,7 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
         }
         auto const word = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
-        if (!fresh && column + 1 + word.size() > width) {
+        if (!fresh && column + 1 + text_width(word) > width) {
             lines += '\n' + std::string(indent, ' ');
             column = indent;
         } else if (!fresh) {
@@ -25,7 +27,7 @@ std::string wrapped(std::string_view text, std::size_t indent, std::size_t width
             ++column;
         }
         lines += word;
-        column += word.size();
+        column += text_width(word);
         fresh = false;
     }
     return lines + '\n';
@@ -39,7 +41,7 @@ std::string narrowed(std::string_view text) {
         auto const line = text.substr(0, end);
         text.remove_prefix(std::min(end + 1, text.size()));
         auto const indent = std::min(line.find_first_not_of(' '), line.size());
-        lines += line.size() <= line_width
+        lines += text_width(line) <= line_width
                      ? std::string(line) + '\n'
                      : wrapped(line.substr(indent), indent + more, line_width, std::string(indent, ' '));
     }

@@ -8,6 +8,7 @@
 #include "campaign/assumptions.hpp"
 #include "campaign/typed_units.hpp"
 #include "campaign/validated_range.hpp"
+#include "core/text_width.hpp"
 #include "core/wrapped.hpp"
 #include "output/detail/answer_cells.hpp"
 #include "output/detail/answer_parts.hpp"
@@ -24,11 +25,11 @@ std::string trimmed_end(std::string text) {
 
 // Both ends stay: names that number things differ at the end.
 std::string shortened(std::string const& name, std::size_t most) {
-    if (name.size() <= most) {
+    if (text_width(name) <= most) {
         return name;
     }
     auto const tail = (most - 2) / 2;
-    return name.substr(0, most - 2 - tail) + ".." + name.substr(name.size() - tail);
+    return fmt::format("{}..{}", text_head(name, most - 2 - tail), text_tail(name, tail));
 }
 
 std::string count_text(std::int64_t waves) { return fmt::format("{} wave{}", waves, waves == 1 ? "" : "s"); }
@@ -194,12 +195,12 @@ struct Widths {
     std::size_t body = 4, row = 0;
 
     explicit Widths(AnswerSheet const& sheet) {
-        body = std::clamp(sheet.head[0].size(), body, most_of_body);
+        body = std::clamp(text_width(sheet.head[0]), body, most_of_body);
         for (auto const& line : sheet.rows) {
-            body = std::clamp(line[0].size(), body, most_of_body);
+            body = std::clamp(text_width(line[0]), body, most_of_body);
         }
         for (auto const& line : sheet.rows) {
-            row = std::max(row, std::min(line[1].size(), names - 1 - body + words_of(line[1]).size()));
+            row = std::max(row, std::min(text_width(line[1]), names - 1 - body + words_of(line[1]).size()));
         }
     }
     // " without overturning)", which is never shortened.
@@ -213,7 +214,7 @@ struct Widths {
         auto const& name = parts[1];
         auto const end = words_of(name).empty() ? std::string(")") : std::string(words_of(name));
         auto const inside = row - 2 - end.size();
-        auto const what = name.size() <= row ? name
+        auto const what = text_width(name) <= row ? name
                           : name.starts_with("P(")
                               ? "P(" + shortened(name.substr(2, name.size() - 2 - end.size()), inside) + end
                               : shortened(name, row);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/outward.hpp"
+#include "core/text_width.hpp"
 #include "core/wrapped.hpp"
 #include "output/interval_text.hpp"
 
@@ -107,7 +108,7 @@ constexpr std::size_t name_width = 24;
 std::string row_of(BodyFrequency const& f) {
     auto name = frequency_name(f);
     std::string text;
-    if (name.size() > name_width) {
+    if (text_width(name) > name_width) {
         text = name + '\n';
         name.clear();
     }

@@ -185,6 +185,25 @@ TEST(Answer, SaysWithoutOverturning) {
     EXPECT_NE(shortened.find("P(t"), std::string::npos) << shortened;
 }
 
+// names beyond ASCII keep their columns, and are shortened between characters.
+TEST(Answer, KeepsItsColumnsWithWideNames) {
+    auto const first_row = [](std::string const& name) {
+        Made const made(body_named(name) + body_named("two"), "design_basis='600 gal'\n", {0, 0, 5, 40});
+        for (auto const& line : lines_of(made.text())) {
+            if (line.find("P(overturn)") != std::string::npos) {
+                return line;
+            }
+        }
+        return std::string();
+    };
+    auto const behind = [](std::string const& line) { return line.substr(line.find(" P(overturn)")); };
+    EXPECT_EQ(first_row("Beh\u00e4lter A"), "Beh\u00e4lter A" + behind(first_row("Behalter A")));
+    EXPECT_EQ(first_row("\u5bb9\u5668"), "\u5bb9\u5668" + behind(first_row("cask")));
+    // Ten wide characters in 18 columns: four, two dots, four.
+    EXPECT_TRUE(first_row("\u4e00\u4e8c\u4e09\u56db\u4e94\u516d\u4e03\u516b\u4e5d\u5341")
+                    .starts_with("\u4e00\u4e8c\u4e09\u56db..\u4e03\u516b\u4e5d\u5341 P(overturn)"));
+}
+
 // lines end between words, and a long word stands alone.
 TEST(Answer, WrapsBetweenWords) {
     EXPECT_EQ(wrapped("one two three", 2, 7), "one two\n  three\n");
@@ -195,6 +214,7 @@ TEST(Answer, WrapsBetweenWords) {
     std::string const word(60, 'y');
     EXPECT_EQ(narrowed(short_line + "\n\n  " + word + ' ' + word + '\n'),
               short_line + "\n\n  " + word + "\n      " + word + '\n');
+    EXPECT_EQ(wrapped("\u00e4\u00e4 \u00e4\u00e4 x", 0, 5), "\u00e4\u00e4 \u00e4\u00e4\nx\n");
     EXPECT_EQ(wrapped("of 95 % x", 0, 7), "of 95 %\nx\n");
 }
 

@@ -16,6 +16,16 @@ TEST(ColumnsText, AreAsWideAsWhatStandsInThem) {
         "  500       1\n");
 }
 
+// wide characters take two columns, bytes beyond ASCII none of their own.
+TEST(ColumnsText, CountColumnsNotBytes) {
+    EXPECT_EQ(columns_text({{{"body", {"cask", "Beh\u00e4lter", "\u5bb9\u5668"}, TextColumn::Side::left},
+                             {"slip", {"1", "20", "3"}}}}),
+              "body      slip\n"
+              "cask         1\n"
+              "Beh\u00e4lter    20\n"
+              "\u5bb9\u5668         3\n");
+}
+
 TEST(ColumnsText, StandCloserBeforeTheyGoOnBelow) {
     auto const wide = [](std::size_t width) { return TextGroup{{std::string(width, 'h'), {"1"}}}; };
     auto const two = columns_text({wide(49), wide(49)});

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/parts_of.hpp"
+#include "core/text_width.hpp"
 #include "core/wrapped.hpp"
 
 namespace overturn::output {
@@ -23,10 +24,10 @@ std::vector<std::string> heading_lines(std::string const& head) {
 std::size_t column_width(TextColumn const& column) {
     std::size_t width = 0;
     for (auto const& line : heading_lines(column.head)) {
-        width = std::max(width, line.size());
+        width = std::max(width, text_width(line));
     }
     for (auto const& cell : column.cells) {
-        width = std::max(width, cell.size());
+        width = std::max(width, text_width(cell));
     }
     return width;
 }

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/typed_units.hpp"
+#include "core/text_width.hpp"
 #include "output/interval_text.hpp"
 #include "output/package_text.hpp"
 #include "response/registry.hpp"
@@ -59,7 +60,7 @@ std::string telling_text(CampaignSpec const& spec, std::span<TellingTrial const>
     constexpr std::size_t heading = 4;
     std::size_t wide = heading;
     for (auto const& body : spec.bodies) {
-        wide = std::max(wide, body.name.size());
+        wide = std::max(wide, text_width(body.name));
     }
     auto const slip = typed_units(spec).slip;
     auto text = fmt::format(

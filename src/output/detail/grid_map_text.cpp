@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "core/text_width.hpp"
+
 namespace overturn::output {
 namespace {
 
@@ -39,7 +41,7 @@ std::string grid_map_text(GridMap const& map) {
         }
         text += fmt::format("{:>12.4g}", 1 / line.period_s);
         for (std::size_t c = 0; c < cells.size(); ++c) {
-            text += fmt::format("  {:>{}}", cells[c], std::max<std::size_t>(heads[c].size(), 12));
+            text += fmt::format("  {:>{}}", cells[c], std::max<std::size_t>(text_width(heads[c]), 12));
         }
         text += line.undecided > 0 ? fmt::format("  {} levels without a verdict\n", line.undecided) : "\n";
     }
