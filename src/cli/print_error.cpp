@@ -15,6 +15,7 @@
 #include "config/faults.hpp"
 #include "core/error.hpp"
 #include "core/print_note.hpp"
+#include "core/text_width.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -35,10 +36,10 @@ void print_one(std::string message) {
     }
     constexpr std::size_t longest = 1000;
     constexpr std::size_t end = 300;  // what to do stands there
-    if (message.size() > longest) {
-        message = message.substr(0, longest - end) + " [...] " + message.substr(message.size() - end);
+    if (text_width(message) > longest) {
+        message = fmt::format("{} [...] {}", text_head(message, longest - end), text_tail(message, end));
     }
-    print_note("overturn: {}\n", message);
+    write_line("overturn: " + message);
 }
 
 }  // namespace

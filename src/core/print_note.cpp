@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "core/note_form.hpp"
+#include "core/wrapped.hpp"
 
 namespace overturn {
 
@@ -27,14 +28,13 @@ std::string formed(std::string const& text, NoteForm form) {
     return lines;
 }
 
-}  // namespace
+// At a terminal. What ends without '\n' waits for an answer or is written over: it stays.
+std::string for_people(std::string const& text) {
+    bool const is_json = text.starts_with('{');
+    return is_json || text.empty() || text.back() != '\n' ? text : narrowed(text);
+}
 
-void form_notes(NoteForm form) noexcept { note_form = form; }
-
-QuietNotes::QuietNotes() noexcept { ++quiet_wishes; }
-QuietNotes::~QuietNotes() { --quiet_wishes; }
-
-void write_note(std::string const& text) noexcept {
+void write_all(std::string const& text) noexcept {
     if (quiet_wishes > 0) {
         return;
     }
@@ -45,6 +45,20 @@ void write_note(std::string const& text) noexcept {
     (void)std::fflush(stderr);
     std::clearerr(stderr);
 }
+
+}  // namespace
+
+void form_notes(NoteForm form) noexcept { note_form = form; }
+
+QuietNotes::QuietNotes() noexcept { ++quiet_wishes; }
+QuietNotes::~QuietNotes() { --quiet_wishes; }
+
+void write_note(std::string const& text) noexcept {
+    static bool const at_terminal = ::isatty(STDERR_FILENO) != 0;
+    write_all(at_terminal && note_form.load() == nullptr ? for_people(text) : text);
+}
+
+void write_line(std::string const& line) noexcept { write_all(line + '\n'); }
 
 void keep_standard_streams() noexcept {
     for (int stream = STDIN_FILENO; stream <= STDERR_FILENO; ++stream) {

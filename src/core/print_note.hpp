@@ -7,8 +7,12 @@
 
 namespace overturn {
 
-/// Writes `text` as it is to stderr; what cannot be written is dropped.
+/// Writes `text` to stderr: at a terminal with its longer lines wrapped (narrowed()), into a file or pipe line by line
+/// as it is, for programs that read it. What cannot be written is dropped.
 void write_note(std::string const& text) noexcept;
+
+/// A line that stays one at a terminal too: an error, which editors and scripts read. \param line without its end
+void write_line(std::string const& line) noexcept;
 
 template <class... Args> void print_note(fmt::format_string<Args...> text, Args&&... args) {
     write_note(fmt::format(text, std::forward<Args>(args)...));

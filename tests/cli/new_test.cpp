@@ -237,6 +237,29 @@ TEST_F(New, AsksAtATerminal) {
     EXPECT_FALSE(folder.has("few.toml"));
 }
 
+// at a terminal warnings go on below with an indent, an error stays a line; into a pipe each is a line.
+TEST_F(New, WrapsWarningsAtATerminal) {
+    auto const piped = written({"--spectrum", "mlit-ch1", "--design-basis", "600 gal", "--friction", "1.25"});
+    auto const warning = piped.err.substr(0, piped.err.find('\n'));
+    ASSERT_TRUE(warning.starts_with("warning: ")) << piped.err;
+    ASSERT_GT(warning.size(), 100U) << "else nothing is shown";
+
+    auto const shown = [&](Arguments const& arguments) {
+        return execute(folder, joined({OVERTURN_PYTHON, OVERTURN_AT_TERMINAL, OVERTURN_PROGRAM}, arguments)).out;
+    };
+    auto const wave = shown({"wave", "s.toml", "--wave", "0", "-o", "wave.csv"});
+    EXPECT_EQ(wave.find(warning), std::string::npos) << wave;
+    EXPECT_NE(unwrapped(wave).find(warning), std::string::npos) << wave;
+    std::istringstream lines(wave);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 100U) << line;
+    }
+
+    auto const error = shown({"plan", std::string(120, 'n') + ".toml"});
+    EXPECT_TRUE(is_one_error_line(error)) << error;
+    EXPECT_GT(error.size(), 101U) << "else nothing is shown";
+}
+
 // the studies that come with the program are what the command in each writes, and plan takes them.
 TEST_F(New, LicenceStudiesAreItsOwn) {
     for (auto const* beside : {"examples", "hazard"}) {
