@@ -1,6 +1,9 @@
 // Requirement R-104: targets have the values their standards print, and say where they end.
 #include "spectra/target_spectrum.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "core/units.hpp"
@@ -18,6 +21,34 @@ using testing::near;
 
 TargetSpectrum named(std::string_view name, NamedTargetInput const& input = {}) {
     return config::find_entry(named_targets(), name, "spectrum").value(input);
+}
+
+// peak over 35 Hz ordinate on hard rock by Toro, Abrahamson and Schneider (1997, Midcontinent, moment
+// magnitude): ln y = C1 + C2 (M - 6) - C4 ln r - (C5 - C4) max(ln(r / 100), 0) - C6 r, r^2 = R^2 + C7^2.
+TEST(TargetSpectrum, ImpliesAPeakThatHardRockMayHave) {
+    struct Coefficients {
+        double c1, c2, c4, c5, c6, c7;
+    };
+    auto const log_of = [](Coefficients const& c, double magnitude, double distance_km) {
+        double const r = std::hypot(distance_km, c.c7);
+        return c.c1 + c.c2 * (magnitude - 6) - c.c4 * std::log(r) - (c.c5 - c.c4) * std::max(std::log(r / 100), 0.0)
+               - c.c6 * r;
+    };
+    Coefficients const peak{2.20, 0.81, 1.27, 1.16, 0.0021, 9.3};
+    Coefficients const at_35_hz{4.00, 0.79, 1.57, 1.83, 0.0008, 11.1};
+    auto const rock = TargetSpectrum::from_points("rock", 0.05, TargetKind::acceleration,
+                                                  std::vector<std::pair<double, double>>{{1 / 35.0, 1}, {0.1, 0.8}});
+    ASSERT_TRUE(rock.pga());
+    for (double const magnitude : {5.0, 6.0, 7.0, 8.0}) {
+        for (double const distance_km : {1.0, 10.0, 30.0, 100.0, 200.0}) {
+            double const share =
+                std::exp(log_of(peak, magnitude, distance_km) - log_of(at_35_hz, magnitude, distance_km));
+            EXPECT_GT(share, rock.pga()->least_mps2) << magnitude << ' ' << distance_km;
+            EXPECT_LT(share, rock.pga()->most_mps2) << magnitude << ' ' << distance_km;
+        }
+    }
+    constexpr double largest = 0.402;  // at magnitude 5 and 10 km, the least share
+    EXPECT_GT(rock.pga()->least_mps2, 0.99 * largest) << "wider than what is published";
 }
 
 TEST(TargetSpectrum, MlitValuesAreThePrintedOnes) {
