@@ -174,7 +174,7 @@ void ModelSelector::run(std::size_t model, std::size_t from, std::vector<TrialSt
         state.batch = ended.batches.size() - 1;
         state.place = i;
         go_on(model, state);
-        if (row_bytes > 0) {
+        if (row_bytes > 0 && state.next == none) {  // what a model says that another one follows counts no more
             std::memcpy(extra.data() + which[i] * extra_bytes_ + part->offset, rows.data() + i * row_bytes, row_bytes);
         }
     }

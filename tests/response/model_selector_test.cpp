@@ -189,6 +189,28 @@ TEST(ModelSelector, TrialsOfManyAreThoseOfEachAlone) {
     }
 }
 
+// What a model says of a trial that another one follows is not kept beside the other's answer.
+TEST(ModelSelector, OnlyTheModelThatAnswersHasARow) {
+    Many const many;
+    ModelSelector const selector(EffectRequest{});
+    auto const answers = answers_of(selector, many.trials());
+    std::map<std::int64_t, int> followed;
+    for (std::size_t i = 0; i < many.trials().size(); ++i) {
+        auto const model = answers.responses[i].model;
+        ++followed[model];
+        if (model == 0) {
+            continue;  // at rest: no model followed it
+        }
+        for (auto const& [traits, offset] : selector.extra_parts()) {
+            auto const row =
+                std::span(answers.extra).subspan(i * selector.extra_bytes() + offset, traits->default_row.size());
+            EXPECT_EQ(std::ranges::equal(row, traits->default_row), traits->number != model) << i << traits->name;
+        }
+    }
+    EXPECT_GT(followed[rocking_traits().number], 10);
+    EXPECT_GT(followed[sliding_traits().number], 10);
+}
+
 TEST(ModelSelector, RequiredSlipIsReportedEvenWhereNothingMovesInTheEnd) {
     Many const many;
     auto const chosen = answers_of(ModelSelector(EffectRequest{}), many.trials());
