@@ -31,6 +31,8 @@ struct BasePlan {
     /// Some of the stiffness lies between the corners.
     [[nodiscard]] bool is_bed() const { return shape == BaseShape::square && corner_share != 1; }
     /// A round base that stands on points of its rim.
+    /// Points across a square bed that a body which moves in space stands on at most; a finer one counts as this.
+    static constexpr int most_across_in_space = 16;
     [[nodiscard]] bool is_rim_of_points() const { return shape == BaseShape::round && points != 0; }
     /// A round base that presses along its whole rim, or with all of its face, without points and so without
     /// directions.

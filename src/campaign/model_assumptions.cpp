@@ -8,6 +8,7 @@
 
 #include "body/joints.hpp"
 #include "campaign/detail/stated_waves.hpp"
+#include "campaign/moves_in_space.hpp"
 
 namespace overturn {
 namespace {
@@ -42,8 +43,10 @@ Bears where_no_vertical_component(CampaignSpec const& spec) {
 Bears where_rigid(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::where_not_required : Bears::yes; }
 
 Bears on_corners(CampaignSpec const& spec) {
-    return of_bodies(spec,
-                     [&](BodySpec const& body) { return body.footing.base.corner_share == 1 || !allows_a_bed(spec); });
+    return of_bodies(spec, [&](BodySpec const& body) {
+        auto const& base = body.footing.base;
+        return (base.shape == BaseShape::square && base.corner_share == 1) || !allows_a_bed(spec);
+    });
 }
 
 Bears where_pads_are_elastic(CampaignSpec const& spec) {
@@ -60,7 +63,7 @@ Bears where_bodies_roll(CampaignSpec const& spec) {
     return of_bodies(spec, [&](BodySpec const& body) {
         auto const& base = body.footing.base;
         bool const on_corners = base.shape == BaseShape::square && base.corner_share == 1;
-        return body.axes > 1 && !on_corners && may_shake_across(spec) && allows(spec, Effect::spatial);
+        return !on_corners && may_move_in_space(spec, body);
     });
 }
 

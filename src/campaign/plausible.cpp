@@ -11,6 +11,7 @@
 
 #include "campaign/detail/limit_range.hpp"
 #include "campaign/detail/limit_spec.hpp"
+#include "campaign/moves_in_space.hpp"
 #include "campaign/site.hpp"
 #include "core/units.hpp"
 #include "core/usual_range.hpp"
@@ -230,10 +231,25 @@ constexpr std::array wave_ranges{
     UsualRange<DrawnWave>{&velocity_of_most, 0, 1, &velocity_said, measure_named("pgv")->plausible.known, of_slow},
     UsualRange<DrawnWave>{&travel_of_most, 0, 1, &travel_said, measure_named("pgd")->plausible.known, of_slow}};
 
+// In space the points of a square bed count in both directions.
+void add_coarser_beds(CampaignSpec const& spec, Lines& lines) {
+    constexpr int most = BasePlan::most_across_in_space;
+    for (auto const& body : spec.bodies) {
+        auto const& base = body.stated_footing.base;
+        if (base.shape == BaseShape::square && base.is_bed() && base.points > most && may_move_in_space(spec, body)) {
+            lines.push_back(
+                fmt::format("body {}: base.points {} (under two horizontal components a bed has {} by {} at "
+                            "most, and counts as that). State {}, or a round base, which has no points",
+                            body.name, base.points, most, most, most));
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> implausible_statements(CampaignSpec const& spec) {
     auto lines = implausible_keys(spec);
+    add_coarser_beds(spec, lines);
     add_design_basis(spec, lines);
     add_levels(spec.levels, lines);
     add_motionless(spec, lines);

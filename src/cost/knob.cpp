@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/moves_in_space.hpp"
 #include "config/table.hpp"
 #include "generators/spectrum_compatible.hpp"
 #include "response/registry.hpp"
@@ -202,6 +203,7 @@ struct PointedBases {
     std::vector<int> counts;  // to try; the most is the reference
     bool (*holds)(BasePlan const& base);
     std::string (*stated)(BasePlan const& base);  // but for its points
+    std::optional<int> most_in_space = {};
 
     /// "bodies.0.base={...}" for every such base.
     [[nodiscard]] std::vector<std::string> settings(CampaignSpec const& spec, int points) const {
@@ -220,7 +222,8 @@ PointedBases beds() {
             "points of a bed from corner to corner",
             {5, 7, 9, 11, 15, 21, 31, 41},
             [](BasePlan const& base) { return base.is_bed(); },
-            &stated_bed};
+            &stated_bed,
+            BasePlan::most_across_in_space};
 }
 
 PointedBases rims() {
@@ -235,9 +238,14 @@ PointedBases rims() {
 void add_points_knob(std::vector<Knob>& knobs, CampaignInput const& input, CampaignSpec const& spec,
                      PointedBases const& bases) {
     std::set<int> own;
-    for (auto const& body : spec.bodies) {
+    std::set<std::int64_t> bodies;
+    bool in_space = false;
+    for (std::int64_t i = 0; i < std::ssize(spec.bodies); ++i) {
+        auto const& body = spec.bodies[i];
         if (auto const& base = body.stated_footing.base; bases.holds(base)) {
             own.insert(base.points);
+            bodies.insert(i);
+            in_space = in_space || may_move_in_space(spec, body);
         }
     }
     auto const refused = [&](int points) {
@@ -245,6 +253,10 @@ void add_points_knob(std::vector<Knob>& knobs, CampaignInput const& input, Campa
                                     [&](auto const& setting) { return takes(input, setting); });
     };
     auto points = bases.counts;
+    if (in_space && bases.most_in_space) {  // finer ones count as this
+        std::erase_if(points, [&](int count) { return count > *bases.most_in_space; });
+        points.push_back(*bases.most_in_space);
+    }
     std::erase_if(points, refused);
     if (own.size() != 1 || points.empty()) {
         return;
@@ -254,6 +266,7 @@ void add_points_knob(std::vector<Knob>& knobs, CampaignInput const& input, Campa
     fill(knob, points, *own.begin(), true, [&](int count) {
         return Setting{fmt::format("{}", count), bases.settings(spec, count), static_cast<double>(count)};
     });
+    knob.bodies = std::move(bodies);
     knob.reference = reference_settings();
     std::ranges::copy(bases.settings(spec, most), std::back_inserter(knob.reference));
     knobs.push_back(std::move(knob));

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,7 @@ struct Knob {
     std::vector<Setting> settings;
     std::optional<std::size_t> here = {};     ///< place of the campaign's setting; empty if no key states it
     std::vector<std::string> reference = {};  ///< settings of the trials that its own are compared with
+    std::set<std::int64_t> bodies = {};       ///< numbers of those it acts on; empty: all
 };
 
 /// The knobs this campaign has, each with the campaign's own position among its settings.

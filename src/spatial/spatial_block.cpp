@@ -16,7 +16,7 @@ BasePlan across(BasePlan base) {
     if (base.shape != BaseShape::square) {
         return {};
     }
-    constexpr int most_across = 16;
+    constexpr int most_across = BasePlan::most_across_in_space;
     static_assert(most_across * most_across <= most_spatial_points);
     base.points = std::min(base.points, most_across);
     if (base.corner_share && *base.corner_share > 0) {

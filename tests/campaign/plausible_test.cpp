@@ -163,6 +163,19 @@ TEST(Plausible, KeysOutsideOfWhatIsUsualGetALine) {
     }
 }
 
+// 41 points across are 16 in space, whatever was asked for.
+TEST(Plausible, BedsFinerThanSpaceHoldsGetALine) {
+    auto const across = testing::quick_waves + "[waves.transverse]\nratio=1\n" + testing::type_b;
+    auto const told = [](std::string const& text) {
+        auto const lines = warnings_of(testing::campaign_from(text + testing::levels("values=[3]\n")));
+        return std::ranges::any_of(lines, [](auto const& line) { return line.find("16 by 16") != std::string::npos; });
+    };
+    EXPECT_TRUE(told(across + "base={bedding='flat', points=17}\n"));
+    EXPECT_FALSE(told(across + "base={bedding='flat', points=16}\n"));
+    EXPECT_FALSE(told(across + "axes=1\nbase={bedding='flat', points=41}\n"));
+    EXPECT_FALSE(told(testing::quick_waves + testing::type_b + "base={bedding='flat', points=41}\n"));
+}
+
 // RG 1.60 prints its vertical spectra for the horizontal pga: reduced once more they err to the unsafe side.
 TEST(Plausible, VerticalTargetsThatAreNoneGetALine) {
     auto const lines = [](std::string const& vertical) {

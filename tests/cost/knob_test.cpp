@@ -137,6 +137,20 @@ TEST(Knobs, BedsHaveTheirPoints) {
     EXPECT_EQ(knob_named(knobs_from(flat), "rim_points"), nullptr);
 }
 
+// In space a bed has 16 points across at most. A knob acts on its own bodies alone: the others would thin out its
+// errors.
+TEST(Knobs, BedsInSpaceEndWhereTheyCount) {
+    auto const knobs = knobs_from(quick_waves + "[waves.transverse]\nratio=1\n" + type_b + "base={shape='round'}\n"
+                                  + "[[bodies]]\nname='flat'\nmass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\n"
+                                    "inertia='uniform-block'\nbase={bedding='flat'}\n"
+                                  + levels("values=[4]\n"));
+    auto const* const points = knob_named(knobs, "points");
+    ASSERT_NE(points, nullptr);
+    EXPECT_EQ(points->settings.back().label, "16");
+    EXPECT_EQ(points->bodies, (std::set<std::int64_t>{1}));
+    EXPECT_TRUE(knob_named(knobs, "effects")->bodies.empty());
+}
+
 // so have rims that stand on points, on a pad that yields or as stated; a continuous one has none.
 TEST(Knobs, RimsOnPointsHaveThem) {
     auto const on_pad = [](std::string const& base, std::string const& pad) {

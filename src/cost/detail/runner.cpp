@@ -152,13 +152,13 @@ void Runner::judge(KnobResult& result, std::size_t s, Run const& run) {
     auto& row = result.rows[s];
     switch (result.knob.acts) {
         case Acts::trials:
-            take_verdicts(row, run.rows, references_.at(result.knob.reference));
+            take_verdicts(row, result.knob, run.rows, references_.at(result.knob.reference));
             break;
         case Acts::waves:
             if (s + 1 == result.rows.size()) {
                 best_matched_ = run.rows;
             }
-            take_verdicts(row, run.rows, best_matched_);
+            take_verdicts(row, result.knob, run.rows, best_matched_);
             row.error = spread_of(run.values);
             break;
         case Acts::spectra:
@@ -175,8 +175,16 @@ void Runner::judge(KnobResult& result, std::size_t s, Run const& run) {
     }
 }
 
-void Runner::take_verdicts(Measured& row, std::vector<TrialRow> const& rows, std::vector<TrialRow> const& exact) {
-    auto const comparison = compare(rows, exact);
+// Bodies that a knob leaves as they are would only thin out its errors.
+void Runner::take_verdicts(Measured& row, Knob const& knob, std::vector<TrialRow> const& rows,
+                           std::vector<TrialRow> const& exact) {
+    auto const touched = [&](std::vector<TrialRow> const& all) {
+        auto some = all;
+        std::erase_if(some,
+                      [&](TrialRow const& one) { return !knob.bodies.empty() && !knob.bodies.contains(one.body); });
+        return some;
+    };
+    auto const comparison = compare(touched(rows), touched(exact));
     row.error = comparison.peak;
     row.trials = comparison.trials;
     row.flips = comparison.flips;

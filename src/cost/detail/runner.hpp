@@ -48,7 +48,8 @@ class Runner {
                                   Depth depth) const;
     void measure(KnobResult& result, std::size_t s, bool first);
     void judge(KnobResult& result, std::size_t s, Run const& run);
-    static void take_verdicts(Measured& row, std::vector<TrialRow> const& rows, std::vector<TrialRow> const& exact);
+    static void take_verdicts(Measured& row, Knob const& knob, std::vector<TrialRow> const& rows,
+                              std::vector<TrialRow> const& exact);
     void count_criterion_flips(Measured& row, std::vector<double> const& values, std::vector<double> const& exact);
     void share_own_times();
     void conclude();
