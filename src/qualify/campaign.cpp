@@ -81,7 +81,7 @@ values = {from = "300 gal", to = "1500 gal", count = 7}
 
 // SHA-256 of the digests of all stored rows, by kind of machine: the same on every x86-64 CPU.
 std::string known_rows(std::string const& kind) {
-    return kind == "x86-64" ? "811f54de64a3e5b16463309d2fdb3c9bb8387e442de0accac8adb8215efcc279" : "";
+    return kind == "x86-64" ? "29dea60b31239fdb5e117f51aac065c2f2560ee93de32486ca1fa09cecec71c8" : "";
 }
 
 CampaignInput campaign() {
