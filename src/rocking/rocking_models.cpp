@@ -8,6 +8,7 @@
 
 #include "body/response_velocity.hpp"
 #include "core/error.hpp"
+#include "rocking/detail/block_laws.hpp"
 #include "rocking/detail/checkpoint.hpp"
 
 namespace overturn {
