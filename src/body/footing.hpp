@@ -18,6 +18,8 @@ struct BasePlan {
     /// many bodies fall; the way of slip under one pulse depends on the direction, up to 3.3, 1.3 and 1.2 times.
     static constexpr int points_around = 64;
     static constexpr int most_points_around = 256;  ///< in space; a plane takes points_around at most
+    /// Points across a square bed that a body which moves in space stands on at most; a finer one counts as this.
+    static constexpr int most_across_in_space = 16;
 
     BaseShape shape = BaseShape::square;
     /// x in the rocking plane, y across it, from the body's axis; of a polygon only, which is convex [m]
@@ -30,9 +32,9 @@ struct BasePlan {
 
     /// Some of the stiffness lies between the corners.
     [[nodiscard]] bool is_bed() const { return shape == BaseShape::square && corner_share != 1; }
+    /// A square base that bears on its corners alone.
+    [[nodiscard]] bool on_corners() const { return shape == BaseShape::square && corner_share == 1; }
     /// A round base that stands on points of its rim.
-    /// Points across a square bed that a body which moves in space stands on at most; a finer one counts as this.
-    static constexpr int most_across_in_space = 16;
     [[nodiscard]] bool is_rim_of_points() const { return shape == BaseShape::round && points != 0; }
     /// A round base that presses along its whole rim, or with all of its face, without points and so without
     /// directions.

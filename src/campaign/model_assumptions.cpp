@@ -31,8 +31,9 @@ bool allows_a_bed(CampaignSpec const& spec) { return allows(spec, Effect::contac
 Bears always(CampaignSpec const& /*spec*/) { return Bears::yes; }
 
 Bears where_no_second_component(CampaignSpec const& spec) {
-    bool const shaken = std::ranges::any_of(spec.bodies, [](BodySpec const& body) { return body.axes > 1; });
-    return may_shake_across(spec) && shaken && allows(spec, Effect::spatial) ? Bears::where_not_required : Bears::yes;
+    bool const moves =
+        std::ranges::any_of(spec.bodies, [&](auto const& body) { return may_move_in_space(spec, body); });
+    return moves ? Bears::where_not_required : Bears::yes;
 }
 
 Bears where_no_vertical_component(CampaignSpec const& spec) {
@@ -43,10 +44,7 @@ Bears where_no_vertical_component(CampaignSpec const& spec) {
 Bears where_rigid(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::where_not_required : Bears::yes; }
 
 Bears on_corners(CampaignSpec const& spec) {
-    return of_bodies(spec, [&](BodySpec const& body) {
-        auto const& base = body.footing.base;
-        return (base.shape == BaseShape::square && base.corner_share == 1) || !allows_a_bed(spec);
-    });
+    return of_bodies(spec, [&](BodySpec const& body) { return body.footing.base.on_corners() || !allows_a_bed(spec); });
 }
 
 Bears where_pads_are_elastic(CampaignSpec const& spec) {
@@ -60,11 +58,8 @@ Bears on_points_round_a_rim(CampaignSpec const& spec) {
 
 // On its corners a square body turns from one edge to the next, and what rolling loses hardly shows.
 Bears where_bodies_roll(CampaignSpec const& spec) {
-    return of_bodies(spec, [&](BodySpec const& body) {
-        auto const& base = body.footing.base;
-        bool const on_corners = base.shape == BaseShape::square && base.corner_share == 1;
-        return !on_corners && may_move_in_space(spec, body);
-    });
+    return of_bodies(
+        spec, [&](BodySpec const& body) { return !body.footing.base.on_corners() && may_move_in_space(spec, body); });
 }
 
 Bears on_springs(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::yes : Bears::no; }

@@ -236,7 +236,7 @@ void add_coarser_beds(CampaignSpec const& spec, Lines& lines) {
     constexpr int most = BasePlan::most_across_in_space;
     for (auto const& body : spec.bodies) {
         auto const& base = body.stated_footing.base;
-        if (base.shape == BaseShape::square && base.is_bed() && base.points > most && may_move_in_space(spec, body)) {
+        if (base.is_bed() && base.points > most && may_move_in_space(spec, body)) {
             lines.push_back(
                 fmt::format("body {}: base.points {} (under two horizontal components a bed has {} by {} at "
                             "most, and counts as that). State {}, or a round base, which has no points",

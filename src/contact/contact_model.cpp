@@ -66,11 +66,10 @@ class ContactModel : public Model {
         auto const contact = mask_of(Effect::contact) | (trial.friction ? mask_of(Effect::sliding) : 0);
         constexpr double wild = 0.3;  // of alpha
         auto const& footing = *trial.footing;
-        bool const on_corners = footing.base.shape == BaseShape::square && footing.base.corner_share == 1;
         if (footing.base.continuous()) {
             return {};  // space follows it
         }
-        if (!on_corners && footing.base.shape != BaseShape::polygon) {
+        if (!footing.base.on_corners() && footing.base.shape != BaseShape::polygon) {
             return {contact, of_base};
         }
         if (said == nullptr || said->verdict == Verdict::failed) {

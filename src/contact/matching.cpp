@@ -59,10 +59,9 @@ class Search {
         if (!match_.pad.match_restitution || std::abs(stated - wanted_) <= close_enough) {
             return match_;
         }
-        bool const on_corners = base.shape == BaseShape::square && base.corner_share == 1;
         if (stated > wanted_) {
             tune_points({stated_, stated}, std::min(softest, stated_));
-        } else if (on_corners) {
+        } else if (base.on_corners()) {
             base.points = base.points > 2 ? base.points : BasePlan::points_across;
             spread({1, stated});
         } else {

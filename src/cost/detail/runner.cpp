@@ -178,13 +178,11 @@ void Runner::judge(KnobResult& result, std::size_t s, Run const& run) {
 // Bodies that a knob leaves as they are would only thin out its errors.
 void Runner::take_verdicts(Measured& row, Knob const& knob, std::vector<TrialRow> const& rows,
                            std::vector<TrialRow> const& exact) {
-    auto const touched = [&](std::vector<TrialRow> const& all) {
-        auto some = all;
-        std::erase_if(some,
-                      [&](TrialRow const& one) { return !knob.bodies.empty() && !knob.bodies.contains(one.body); });
-        return some;
+    auto const touched = [&](std::vector<TrialRow> all) {
+        std::erase_if(all, [&](TrialRow const& one) { return !knob.bodies.contains(one.body); });
+        return all;
     };
-    auto const comparison = compare(touched(rows), touched(exact));
+    auto const comparison = knob.bodies.empty() ? compare(rows, exact) : compare(touched(rows), touched(exact));
     row.error = comparison.peak;
     row.trials = comparison.trials;
     row.flips = comparison.flips;
