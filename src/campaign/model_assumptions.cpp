@@ -44,7 +44,10 @@ Bears where_no_vertical_component(CampaignSpec const& spec) {
 Bears where_rigid(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::where_not_required : Bears::yes; }
 
 Bears on_corners(CampaignSpec const& spec) {
-    return of_bodies(spec, [&](BodySpec const& body) { return body.footing.base.on_corners() || !allows_a_bed(spec); });
+    return of_bodies(spec, [&](BodySpec const& body) {
+        auto const& base = body.footing.base;
+        return base.on_corners() || base.shape == BaseShape::polygon || !allows_a_bed(spec);
+    });
 }
 
 Bears where_pads_are_elastic(CampaignSpec const& spec) {

@@ -86,6 +86,9 @@ TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {
     EXPECT_EQ(bears("corner-contact", plain), Bears::yes);
     EXPECT_EQ(bears("corner-contact", body("base={bedding='flat'}\n")), Bears::no);
     EXPECT_EQ(bears("corner-contact", body("base={shape='round'}\n")), Bears::no);
+    EXPECT_EQ(bears("corner-contact",
+                    body("base={shape='polygon', corners=[[0.45,0.6],[-0.45,0.6],[-0.45,-0.6],[0.45,-0.6]]}\n")),
+              Bears::yes);
     EXPECT_EQ(bears("elastic-pad", body("pad={strength='30 MPa'}\n")), Bears::no);
     EXPECT_EQ(bears("rim-of-points", body("base={shape='round'}\npad={strength='30 MPa'}\n")), Bears::yes);
     EXPECT_EQ(bears("rim-of-points", body("base={shape='round'}\n")), Bears::no);
