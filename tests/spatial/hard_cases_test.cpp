@@ -1,8 +1,10 @@
 // Requirement R-605: bodies of every shape stay finite and never gain energy: rolling rims, needles, coins, throws and
 // poison.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -17,6 +19,7 @@ using testing::released;
 using testing::round_base;
 using testing::shaken;
 using testing::Shaking;
+using testing::SpatialHistory;
 using testing::square_base;
 using testing::standing;
 using testing::unheld;
@@ -108,6 +111,53 @@ TEST(SpatialHardCases, NeedleAndCoinStayFinite) {
         }
     }
     EXPECT_EQ(shaken(standing(solid(0.05, 5), {}, 0.5), {waves.x, waves.y, 0.01, 1}).verdict, Verdict::overturned);
+}
+
+// The ground falls with 1 g for a second: the springs let go of the weight, the base drifts up with no force on it, as
+// fast as the springs threw it (g / w_v, if they are elastic), and comes down flat when gravity is back.
+TEST(SpatialHardCases, VerticalMotionOfOneGravity) {
+    std::vector<double> fall = constant(-g0, 1001);
+    fall.resize(1301, 0.0);
+    auto const calm = constant(0, fall.size());
+    auto disc = round_base();
+    disc.base.corner_share.reset();
+    auto ring = disc;
+    ring.base.inner_radius_m = 0.4;
+    for (auto footing : {square_base(), square_base(0.1), round_base(), round_base(64), disc, ring}) {
+        for (double const restitution : {1.0, 0.25}) {
+            footing.pad.normal_restitution = restitution;
+            auto const block = standing(body_a(), footing, 0.8);
+            SpatialHistory seen;
+            auto const out = shaken(block, {calm, calm, 1e-3, 1, fall},
+                                    {.step_ratio = 0.025, .longest_after_s = 2, .rest_gate = false}, &seen);
+            double const thrown = g0 / block.planar.vertical_radps();
+            std::array<SpatialInstant, 2> drifting;
+            for (auto const& instant : seen.instants) {
+                if (instant.time_s < 0.9) {
+                    (instant.time_s < 0.1 ? drifting[0] : drifting[1]) = instant;
+                }
+                if (instant.time_s > 0.05 && instant.time_s < 0.99) {
+                    ASSERT_EQ(instant.contact_force_ratio, 0) << instant.time_s;
+                }
+            }
+            double const velocity =
+                (drifting[1].rise_m - drifting[0].rise_m) / (drifting[1].time_s - drifting[0].time_s);
+            EXPECT_NEAR(velocity, drifting[1].velocity_mps[2], 1e-9);
+            if (restitution == 1) {
+                EXPECT_NEAR(velocity / thrown, 1, 5e-5);  // letting go within a step errs as its square
+            } else {
+                EXPECT_GT(velocity, 0);
+                EXPECT_LT(velocity, thrown);
+            }
+            EXPECT_EQ(out.failure, FailureReason::none);
+            EXPECT_EQ(out.verdict, Verdict::rocked);  // every point parted from the ground
+            EXPECT_LT(out.peak_rotation_rad, 1e-9);
+            EXPECT_NEAR(out.extra.peak_rise_m, velocity, 0.01 * velocity + thrown / 98);
+            if (restitution < 1) {
+                EXPECT_NEAR(seen.instants.back().rise_m, -block.planar.settlement_m(), 1e-9);
+            }
+        }
+    }
 }
 
 // Thrown up and caught again, over and over; nothing tips what falls flat.

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "contact/matching.hpp"
 #include "core/units.hpp"
 #include "spatial/cases.hpp"
+#include "spatial/noises.hpp"
 #include "spatial/rolling_cylinder.hpp"
 
 namespace overturn {
@@ -93,66 +93,8 @@ TEST(SpatialRimLimit, RollingTakesAsMuchFromPoints) {
     }
 }
 
-// Noise of 40 s along both axes. Single verdicts differ, as rolling is chaotic; as many fall, within twice the scatter
-// of those that differ.
-class TwoNoises {
-  public:
-    [[nodiscard]] testing::Shaking shaking(double level) const { return {x_, y_, step_s, level}; }
-    explicit TwoNoises(std::mt19937_64& random) : x_(drawn(random)), y_(drawn(random)) {}
-    [[nodiscard]] TwoNoises turned(double angle_rad) const {
-        auto other = *this;
-        double const c = std::cos(angle_rad);
-        double const s = std::sin(angle_rad);
-        for (std::size_t i = 0; i < x_.size(); ++i) {
-            other.x_[i] = c * x_[i] - s * y_[i];
-            other.y_[i] = s * x_[i] + c * y_[i];
-        }
-        return other;
-    }
-
-  private:
-    static constexpr double step_s = 0.01;
-    // Filtered by a soil of 1.8 Hz, below 0.2 Hz and above 8 Hz, with a peak of 1.
-    static std::vector<double> drawn(std::mt19937_64& random) {
-        std::vector<double> wave(4001, 0.0);
-        constexpr int lines = 80;
-        for (int k = 0; k < lines; ++k) {
-            double const f = 0.08 * std::pow(150.0, (k + 0.5) / lines);
-            double const phase = 2 * pi * static_cast<double>(random() >> 11U) * 0x1p-53;
-            double const r = 0.55 * f;
-            double const z2 = 1.44 * r * r;
-            double const q2 = 36 * f * f;
-            double const power = (1 + z2) / ((1 - r * r) * (1 - r * r) + z2) * q2 * q2
-                                 / ((1 - q2) * (1 - q2) + 1.44 * q2) / std::pow(1 + f * f / 64, 2);
-            for (std::size_t i = 0; i < wave.size(); ++i) {
-                wave[i] += std::sqrt(power * f) * std::cos(2 * pi * f * step_s * static_cast<double>(i) + phase);
-            }
-        }
-        double peak = 0;
-        for (std::size_t i = 0; i < wave.size(); ++i) {
-            double const t = step_s * static_cast<double>(i);
-            wave[i] *= std::min({1.0, t * t / 16, std::exp(-0.12 * (t - 20)), (40 - t) / 3});
-            peak = std::max(peak, std::abs(wave[i]));
-        }
-        for (double& value : wave) {
-            value /= peak;
-        }
-        return wave;
-    }
-
-    std::vector<double> x_, y_;
-};
-
-std::vector<TwoNoises> noises(std::size_t count) {
-    std::mt19937_64 random(606);
-    std::vector<TwoNoises> waves;
-    for (std::size_t i = 0; i < count; ++i) {
-        waves.emplace_back(random);
-    }
-    return waves;
-}
-
-std::vector<bool> falls(Footing const& footing, std::vector<TwoNoises> const& waves,
+// Single verdicts differ, as rolling is chaotic; as many fall, within twice the scatter of those that differ.
+std::vector<bool> falls(Footing const& footing, std::vector<testing::TwoNoises> const& waves,
                         std::vector<double> const& levels) {
     auto const block = standing(body_a(), footing, 0.8);
     std::vector<SpatialTrial> trials;
@@ -184,7 +126,7 @@ void expect_as_many(std::vector<bool> const& found, std::vector<bool> const& of_
 }
 
 TEST(SpatialRimLimit, PointsFallAsOftenAsTheRim) {
-    auto const waves = noises(40);
+    auto const waves = testing::noises(40);
     std::vector const levels{6.6, 7.0, 7.4};
     auto const of_rim = falls(round_base(), waves, levels);
     for (auto const& footing : {round_base(64), turned_polygon(64)}) {
@@ -200,8 +142,8 @@ Footing crushed_rim(int points) {
 
 // Where they yield, which is by place: as many fall whatever the direction, and on twice as many points.
 TEST(SpatialRimLimit, YieldingPointsFallAsOftenAsMoreOfThem) {
-    auto const waves = noises(30);
-    std::vector<TwoNoises> turned;
+    auto const waves = testing::noises(30);
+    std::vector<testing::TwoNoises> turned;
     for (auto const& wave : waves) {
         turned.push_back(wave.turned(pi / BasePlan::points_around));
     }
