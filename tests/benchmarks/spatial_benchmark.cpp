@@ -1,5 +1,8 @@
 // Motion in space: what a 60 s trajectory costs alone and in lanes, never resting and resting, on four corners, on a
-// rim of 32 points and on a flat bed. Figures are for people: nothing here asserts.
+// continuous rim and on a flat bed; and with which error. Figures are for people: nothing here asserts.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include <benchmark/benchmark.h>
@@ -60,6 +63,37 @@ BENCHMARK_CAPTURE(spatial_in_lanes, flat_bed, testing::square_base(0.1), 6, fals
 BENCHMARK_CAPTURE(spatial_in_lanes, corners_of_a_campaign, testing::square_base(), 12, true)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(spatial_in_lanes, rim_of_a_campaign, testing::round_base(), 12, true)->Unit(benchmark::kMillisecond);
+
+// Work against error of the step: peak rotation over alpha of what stands, against a sixteenth of the usual step.
+void spatial_precision(benchmark::State& state, Footing const& footing, double strongest) {
+    SpatialScenes const scenes(footing, strongest);
+    double const step = 0.3 * std::pow(2.0, -static_cast<double>(state.range(0)));
+    std::vector<SpatialOutcome> outcomes(scenes.trials.size());
+    std::vector<SpatialOutcome> reference(scenes.trials.size());
+    simulate_spatial(scenes.trials, {.step_ratio = 0.3 / 32, .rest_gate = false}, reference);
+    for ([[maybe_unused]] auto _ : state) {
+        simulate_spatial(scenes.trials, {.step_ratio = step, .rest_gate = false}, outcomes);
+        benchmark::DoNotOptimize(outcomes.data());
+    }
+    std::vector<double> errors;
+    double flips = 0;
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+        bool const fell = outcomes[i].verdict == Verdict::overturned;
+        flips += fell != (reference[i].verdict == Verdict::overturned) ? 1 : 0;
+        if (!fell) {
+            errors.push_back(std::abs(outcomes[i].peak_rotation_ratio - reference[i].peak_rotation_ratio));
+        }
+    }
+    std::sort(errors.begin(), errors.end());
+    state.counters["error_median"] = errors.empty() ? 0 : errors[errors.size() / 2];
+    state.counters["error_90"] = errors.empty() ? 0 : errors[errors.size() * 9 / 10];
+    state.counters["flips"] = flips;
+    per_trajectory(state, scenes.trials.size());
+}
+BENCHMARK_CAPTURE(spatial_precision, corners, testing::square_base(), 14)
+    ->DenseRange(-1, 3)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(spatial_precision, rim, testing::round_base(), 9)->DenseRange(-1, 3)->Unit(benchmark::kMillisecond);
 
 void spatial_alone(benchmark::State& state, Footing const& footing) {
     SpatialScenes const scenes(footing, 7);
