@@ -1,6 +1,8 @@
 // Requirement R-603: base and pad of a body file mean what they say, scale with the body, and are refused at their key
 // where nothing can stand on them or rock as stated.
 #include <cmath>
+#include <map>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -65,6 +67,41 @@ TEST(Footing, EveryKeyIsRead) {
 }
 
 // A bed of its own has a restitution of its own: Housner's, which nobody stated, does not tune it.
+// A key of base or pad beside a file outranks that key of the file, and no other; another shape is another base.
+TEST(Footing, KeysBesideAFileOutrankItsOwnOneByOne) {
+    auto const beside = [](std::string const& keys) {
+        InputFiles files(std::map<std::string, std::string>{
+            {"a.toml",
+             "mass='12.6 t'\nbase_width='1.36 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n"
+             "base={shape='round', bedding='flat', inner_diameter='0.5 m'}\n"
+             "pad={vertical_frequency='67 Hz', tangential_ratio=0.7, match_restitution=false}\n"}});
+        return read_body(config::Table::parse("file='a.toml'\n" + keys, "b.toml"), files).footing;
+    };
+    auto const soft = beside("pad={vertical_frequency='49 Hz'}\n");
+    EXPECT_EQ(soft.pad.vertical_frequency_hz, 49);
+    EXPECT_EQ(soft.pad.tangential_ratio, 0.7);
+    EXPECT_FALSE(soft.pad.match_restitution);
+    EXPECT_EQ(soft.base.inner_radius_m, 0.25);
+
+    auto const narrow = beside("base={inner_diameter='1.2 m'}\n").base;
+    EXPECT_TRUE(narrow.is_disc());
+    EXPECT_EQ(narrow.inner_radius_m, 0.6);
+    auto const rim = beside("base={bedding='corners'}\n").base;
+    EXPECT_TRUE(rim.continuous());
+    EXPECT_FALSE(rim.is_disc());
+    EXPECT_EQ(rim.inner_radius_m, 0);
+    auto const points = beside("base={bedding='corners', points=64}\npad={strength='30 MPa'}\n");
+    EXPECT_EQ(points.base.points, 64);
+    EXPECT_EQ(points.pad.strength_pa, 30e6);
+    EXPECT_EQ(points.pad.vertical_frequency_hz, 67);
+
+    auto const square = beside("base={shape='square'}\n");
+    EXPECT_TRUE(square.base.on_corners());
+    EXPECT_EQ(square.base.points, 15);
+    EXPECT_EQ(square.pad.vertical_frequency_hz, 67);
+    testing::expect_input_error([&] { (void)beside("base={points=64}\n"); }, "b.toml:2:", "without points");
+}
+
 TEST(Footing, OnlyAStatedRestitutionTunesABed) {
     EXPECT_FALSE(read("base={bedding='flat'}\n").footing.pad.match_restitution);
     EXPECT_FALSE(read("base={bedding='flat'}\nrestitution='housner'\n").footing.pad.match_restitution);

@@ -77,17 +77,27 @@ std::optional<double> read_bedding(Table const& given) {
     return given.choice<bool>(base_keys["bedding"], beddings) ? std::optional(1.0) : std::nullopt;
 }
 
-BasePlan read_base(Table const& given, int points_across) {
-    BasePlan base;
-    base.shape = given.choice<BaseShape>(base_keys["shape"], shapes);
+// A table beside a file outranks the file's keys one by one; another shape is another base.
+BasePlan read_base(Table const& given, BasePlan const& of_file, bool anew, int points_across) {
+    auto base = of_file;
+    bool const keeps = !anew && !given.has("shape");
+    if (!keeps) {
+        base = {.shape = given.choice<BaseShape>(base_keys["shape"], shapes)};
+    }
     bool const square = base.shape == BaseShape::square;
     bool const round = base.shape == BaseShape::round;
-    if (base.shape == BaseShape::polygon) {
+    if ((!keeps || given.has("bedding")) && (square || round)) {  // points are those of a bedding
+        base = {.shape = base.shape, .points = square ? points_across : 0};
+    }
+    if (base.shape == BaseShape::polygon && (!keeps || given.has("corners"))) {
+        base.corners_m.clear();
         for (auto const& [x, y] : given.pairs(base_keys["corners"])) {
             base.corners_m.push_back({x, y});
         }
     }
-    base.corner_share = square || given.has("bedding") ? read_bedding(given) : 1;
+    if (given.has("bedding") || (square && !keeps)) {
+        base.corner_share = read_bedding(given);
+    }
     if (!square && base.corner_share != 1 && (!round || base.corner_share)) {
         given.fail("bedding", round ? "a round base bears on its rim (corners) or evenly (flat). State one of these"
                                     : "a polygon bears on its corners. Leave it out");
@@ -104,20 +114,26 @@ BasePlan read_base(Table const& given, int points_across) {
         base.inner_radius_m = 0.5 * given.number(base_keys["inner_diameter"]);
     }
     if (base.shape != BaseShape::polygon) {
-        base.points = static_cast<int>(given.integer(base_keys["points"], {.otherwise = square ? points_across : 0}));
+        base.points = static_cast<int>(given.integer(base_keys["points"], {.otherwise = base.points}));
     }
     given.finish();
     return base;
 }
 
-Pad read_pad(Table const& given) {
-    Pad pad;
-    pad.vertical_frequency_hz = given.number(pad_keys["vertical_frequency"]);
-    pad.normal_restitution = given.number(pad_keys["normal_restitution"]);
-    pad.strength_pa = given.maybe_number(pad_keys["strength"]);
-    pad.tangential_ratio = given.number(pad_keys["tangential_ratio"]);
-    pad.tangential_damping = given.number(pad_keys["tangential_damping"]);
-    pad.match_restitution = given.boolean(pad_keys["match_restitution"]);
+Pad read_pad(Table const& given, Pad pad, bool anew) {
+    auto const number = [&](config::Key const& key, double& value) {
+        value = anew || given.has(key.name) ? given.number(key) : value;
+    };
+    number(pad_keys["vertical_frequency"], pad.vertical_frequency_hz);
+    number(pad_keys["normal_restitution"], pad.normal_restitution);
+    if (given.has("strength")) {
+        pad.strength_pa = given.maybe_number(pad_keys["strength"]);
+    }
+    number(pad_keys["tangential_ratio"], pad.tangential_ratio);
+    number(pad_keys["tangential_damping"], pad.tangential_damping);
+    if (anew || given.has("match_restitution")) {
+        pad.match_restitution = given.boolean(pad_keys["match_restitution"]);
+    }
     given.finish();
     return pad;
 }
@@ -175,12 +191,13 @@ void read_footing(Table const& table, Footing& footing, int points_across) {
     if (std::exchange(footing.rim_as_points, false)) {
         footing.base.points = 0;  // as its file says, for whatever pad this states
     }
+    bool const anew = !footing.stated;
     if (table.has("base")) {
-        footing.base = read_base(table.child(footing_keys["base"]), points_across);
+        footing.base = read_base(table.child(footing_keys["base"]), footing.base, anew, points_across);
         footing.stated = true;
     }
     if (table.has("pad")) {
-        footing.pad = read_pad(table.child(footing_keys["pad"]));
+        footing.pad = read_pad(table.child(footing_keys["pad"]), footing.pad, anew);
         footing.stated = true;
     }
     if (footing.base.continuous() && !footing.base.is_disc() && footing.pad.strength_pa) {
