@@ -65,6 +65,13 @@ Bears where_bodies_roll(CampaignSpec const& spec) {
         spec, [&](BodySpec const& body) { return !body.footing.base.on_corners() && may_move_in_space(spec, body); });
 }
 
+// What holds its place keeps no patch; what is stated as points grips by each.
+Bears where_a_rim_grips(CampaignSpec const& spec) {
+    return of_bodies(spec, [&](BodySpec const& body) {
+        return body.friction && body.footing.base.continuous() && may_move_in_space(spec, body);
+    });
+}
+
 Bears on_springs(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::yes : Bears::no; }
 
 Bears where_no_site(CampaignSpec const& spec) { return spec.site.has_gaps() ? Bears::no : Bears::yes; }
@@ -143,8 +150,9 @@ constexpr std::array assumptions{
         always},
     ModelAssumption{"one-mass-on-springs", "on points, body, pallet and pad are one mass on one bed of springs",
                     Misjudged::unknown, "bodies.pad",
-                    "overturned of 600 (A): 91 at 98 Hz, 96 at 67 Hz; on a flat base 261 and 275",
-                    "campaigns/vertical_mode.toml", on_springs},
+                    "overturned of 600 (A): 91 at 98 Hz, 96 at 67 Hz; on a flat base 261 and 275; of 120 on a rim, two "
+                    "components, friction 0.6 just below tan(alpha): 67 at 98 Hz, none at 392 Hz",
+                    "campaigns/vertical_mode.toml; src/contact/README.md", on_springs},
     ModelAssumption{"elastic-pad", "the pad is not crushed", Misjudged::unsafe, "bodies.pad.strength",
                     "overturned of 400, flat base (A): 154 elastic, 160 on 10 MPa, 224 on 3 MPa",
                     "campaigns/pad_strength.toml", where_pads_are_elastic},
@@ -160,6 +168,11 @@ constexpr std::array assumptions{
         "of 400 (A, on its rim) 161 fall, 116 with twice the damping; on a flat square base, damped as a rim "
         "is, 22 more and 4 fewer of 180",
         "src/contact/README.md; campaigns/guide/supports.md", where_bodies_roll},
+    ModelAssumption{"rolling-grip", "a round base grips as one patch that rolls with its contact and does not creep",
+                    Misjudged::unsafe, "bodies.base.points",
+                    "of 120 (A, two components, friction 0.6) 67 fall on the rim, 78 on 64 points, 79 on 256; slip of "
+                    "those that stand on both, 95 %: 0.05 and 0.30 m; at friction 0.4 nothing rolls, and both agree",
+                    "src/contact/README.md; campaigns/guide/supports.md", where_a_rim_grips},
     ModelAssumption{
         "constant-friction", "friction is Coulomb's: its coefficients depend on neither velocity, pressure nor wear",
         Misjudged::unknown, "bodies.friction", "of 100 at 1200 gal (B), friction 0.2, 0.55, 0.8: 0, 82 and 82 overturn",

@@ -1,11 +1,14 @@
 #include "cost/detail/varied_inputs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <map>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -67,10 +70,40 @@ bool is_deciding_friction(CampaignSpec const& spec, config::InputValue const& va
     return false;
 }
 
-std::string why_unvaried(config::InputValue const& value) {
-    if (!value.span.is_known()) {
-        return "set on the command line";
+// "bodies[0].pad.strength" -> "bodies.0.pad.strength"
+std::string setting_of(std::string key) {
+    std::erase(key, ']');
+    std::ranges::replace(key, '[', '.');
+    return key;
+}
+
+// The stiffness of the pad of each body that stands on a rim, bed or polygon, where it is the program's. Nobody
+// measures it, and just below tan(alpha) it decides whether a sliding body begins to rock.
+void add_default_pads(CampaignSpec const& spec, std::vector<config::InputValue>& inputs) {
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        auto const& footing = spec.bodies[b].stated_footing;
+        auto const key = fmt::format("bodies[{}].pad.vertical_frequency", b);
+        auto const there = std::ranges::find(inputs, key, &config::InputValue::key);
+        bool const is_default = there == inputs.end() || there->basis == config::Basis::by_default;
+        if (footing.base.on_corners() || !is_default) {
+            continue;
+        }
+        double const hertz = footing.pad.vertical_frequency_hz;
+        config::InputValue value{.key = key,
+                                 .text = fmt::format("{:g} Hz", hertz),
+                                 .basis = config::Basis::assumed,
+                                 .source = "default of this program",
+                                 .range = {fmt::format("{:g} Hz", hertz / 2), fmt::format("{:g} Hz", hertz * 2)},
+                                 .number = hertz};
+        if (there == inputs.end()) {
+            inputs.push_back(std::move(value));
+        } else {
+            *there = std::move(value);
+        }
     }
+}
+
+std::string why_unvaried(config::InputValue const& value) {
     if (!value.range.empty()) {
         return "";
     }
@@ -83,6 +116,10 @@ std::string why_unvaried(config::InputValue const& value) {
 
 CampaignInput with_value(CampaignInput const& input, config::InputValue const& value, std::string const& written) {
     auto varied = input;
+    if (!value.span.is_known()) {  // of a setting or a default
+        varied.settings.push_back(fmt::format("{}={}", setting_of(value.key), toml_of(written)));
+        return varied;
+    }
     auto& text = value.depth == 0 ? varied.text : varied.files.at(value.file);
     auto const begin = offset_of(text, value.span.line, value.span.column);
     auto const end = offset_of(text, value.span.end_line, value.span.end_column);
@@ -93,7 +130,9 @@ CampaignInput with_value(CampaignInput const& input, config::InputValue const& v
 VariedInputs varied_inputs(CampaignSpec const& spec) {
     VariedInputs found;
     std::map<std::tuple<std::string, int, int>, std::size_t> places;
-    for (auto const& value : physical_inputs(spec)) {
+    auto inputs = physical_inputs(spec);
+    add_default_pads(spec, inputs);
+    for (auto const& value : inputs) {
         if (value.basis != config::Basis::assumed && !is_deciding_friction(spec, value)) {
             continue;
         }
@@ -101,8 +140,9 @@ VariedInputs varied_inputs(CampaignSpec const& spec) {
             found.unvaried.push_back({value.key, value.text, why});
             continue;
         }
-        auto const [place, is_new] =
-            places.try_emplace({value.file, value.span.line, value.span.column}, found.values.size());
+        auto const place_of = value.span.is_known() ? std::tuple(value.file, value.span.line, value.span.column)
+                                                    : std::tuple(value.key, 0, 0);
+        auto const [place, is_new] = places.try_emplace(place_of, found.values.size());
         if (is_new) {
             found.values.push_back(value);
             found.inputs.push_back({{}, value.text, value.source, ends_of(value), {}, !value.range.empty()});

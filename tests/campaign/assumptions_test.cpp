@@ -98,6 +98,11 @@ TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {
     EXPECT_EQ(in_space(""), Bears::no) << "square, on its corners";
     EXPECT_EQ(in_space("axes=1\nbase={shape='round'}\n"), Bears::no);
     EXPECT_EQ(bears("rolling-loss", body("base={shape='round'}\n")), Bears::no) << "one component";
+    auto const grips = [&](std::string const& keys) { return bears("rolling-grip", across + keys + levels); };
+    EXPECT_EQ(grips("friction=0.5\nbase={shape='round'}\n"), Bears::yes);
+    EXPECT_EQ(grips("base={shape='round'}\n"), Bears::no) << "it holds its place";
+    EXPECT_EQ(grips("friction=0.5\nbase={shape='round', points=64}\n"), Bears::no);
+    EXPECT_EQ(grips("friction=0.5\naxes=1\nbase={shape='round'}\n"), Bears::no);
     EXPECT_EQ(bears("no-slip", plain), Bears::yes);
     EXPECT_EQ(bears("no-slip", body("friction=0.5\n")), Bears::no);
     EXPECT_EQ(bears("no-slip", body("friction=0.5\n") + "[effects]\nmode='none'\n"), Bears::yes);

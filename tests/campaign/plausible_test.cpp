@@ -69,6 +69,7 @@ TEST(Plausible, SlipsInABodyGetOne) {
     expect_told(with("pad={strength='1000 MPa'}"), "pad.strength 1000 MPa");
     expect_told(with("base={shape='round', points=32}"), "a rim of 32 points (none: the rim is continuous");
     expect_told(with("base={shape='round', points=32}\npad={strength='30 MPa'}"), "64 or more on a pad that yields");
+    expect_told(with("base={shape='round', points=256}"), "a rim of 256 points");
     EXPECT_TRUE(with("base={shape='round'}\npad={strength='30 MPa'}").empty());
     expect_told(with("pad={normal_restitution=0.95, match_restitution=false}"), "pad.normal_restitution 0.95");
     expect_told(with("pad={tangential_ratio=80}"), "pad.tangential_ratio 80");

@@ -218,6 +218,38 @@ TEST(Sensitivity, FrictionNearTheSlopeIsMovedWhateverItsSource) {
     }
 }
 
+// The pad's frequency is a default that nobody measured. Under a base that is no pair of corners it is moved by
+// two, and only it: what the file of the body states of its pad stays.
+TEST(Sensitivity, TheDefaultPadIsMovedUnderARim) {
+    auto const found = [](std::string const& keys) {
+        auto with = text;
+        with.insert(with.find("restitution="), keys);
+        return varied_inputs(parse_campaign(input_from(with)));
+    };
+    auto const is_pad = [](VariedInput const& input) {
+        return input.keys.front() == "bodies[0].pad.vertical_frequency";
+    };
+    EXPECT_FALSE(std::ranges::any_of(found("").inputs, is_pad)) << "on its corners";
+    EXPECT_FALSE(std::ranges::any_of(
+        found("base={shape='round'}\npad={vertical_frequency={value='80 Hz', basis='measured'}}\n").inputs, is_pad));
+    auto const round = found("base={shape='round'}\npad={tangential_ratio=0.9}\n");
+    auto const pad = std::ranges::find_if(round.inputs, is_pad);
+    ASSERT_NE(pad, round.inputs.end());
+    EXPECT_EQ(pad->ends, (std::array<std::string, 2>{"49 Hz", "196 Hz"}));
+
+    auto const input =
+        input_from(testing::quick_waves + "[[bodies]]\nfile='b.toml'\n" + testing::levels("values=[5]\n"),
+                   {{"b.toml",
+                     "mass=1000\nbase_width=1\ncentre_height=1\ninertia='uniform-block'\nbase={shape='round'}\n"
+                     "pad={tangential_ratio=0.9}\n"}});
+    auto const values = varied_inputs(parse_campaign(input)).values;
+    ASSERT_EQ(values.size(), 1U);
+    auto const moved = parse_campaign(with_value(input, values.front(), "49 Hz")).bodies.front().footing;
+    EXPECT_DOUBLE_EQ(moved.pad.vertical_frequency_hz, 49);
+    EXPECT_DOUBLE_EQ(moved.pad.tangential_ratio, 0.9);
+    EXPECT_EQ(moved.base.shape, BaseShape::round);
+}
+
 TEST(Sensitivity, AGridIsNoSample) {
     testing::expect_input_error(
         [] {
