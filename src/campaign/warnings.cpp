@@ -10,11 +10,13 @@
 #include "campaign/detail/limit_spec.hpp"
 #include "campaign/detail/plausible.hpp"
 #include "campaign/detail/scaled_records.hpp"
+#include "campaign/moves_in_space.hpp"
 #include "campaign/plan.hpp"
 #include "campaign/rocking_band.hpp"
 #include "campaign/trial.hpp"
 #include "core/units.hpp"
 #include "motion/usual_time_step.hpp"
+#include "response/registry.hpp"
 
 namespace overturn {
 namespace {
@@ -107,6 +109,33 @@ void add_first_wave(CampaignSpec const& spec, Lines& lines) {
         auto const more = warnings_of_effects(spec, wave, ModelSelector(spec.effects, spec.accuracy));
         lines.insert(lines.end(), more.begin(), more.end());
     }  // else its trials will say why
+}
+
+// The model on which trials of this body go on, beyond two rigid corners; null: they stay there.
+ModelTraits const* model_beyond_corners(CampaignSpec const& spec, BodySpec const& body) {
+    auto const bed = mask_of(Effect::contact);
+    bool const on_bed = body.footing.stated && (spec.effects.wanted() & bed) != 0;
+    auto const brings = may_move_in_space(spec, body) ? mask_of(Effect::spatial) : on_bed ? bed : 0;
+    auto const entry = std::ranges::find_if(
+        models(), [&](ModelEntry const& model) { return (model.traits().brings() & brings) != 0; });
+    return entry == models().end() ? nullptr : &entry->traits();
+}
+
+void add_limits(CampaignSpec const& spec, Lines& lines) {
+    for (auto const& limit : spec.limits) {
+        if (limit.rule != LimitState::Rule::above && limit.rule != LimitState::Rule::below) {
+            continue;
+        }
+        for (auto const& body : spec.bodies) {
+            auto const* const model = model_beyond_corners(spec, body);
+            if (model != nullptr && !model->computes(limit.quantity.name, limit.quantity.of_every_model)) {
+                lines.push_back(
+                    fmt::format("limit {}: trials of {} in the model {} have no {}, and so no verdict. Limit another "
+                                "quantity, peak_rotation for example",
+                                limit.name, body.name, model->name, limit.quantity.name));
+            }
+        }
+    }
 }
 
 void add_rare(CampaignSpec const& spec, Lines& lines) {
@@ -242,6 +271,7 @@ std::vector<std::string> warnings_of(CampaignSpec const& spec) {
     if (auto alike = warning_of_alike_waves(spec); !alike.empty()) {
         lines.push_back(std::move(alike));
     }
+    add_limits(spec, lines);
     add_rare(spec, lines);
     add_motions(spec, lines);
     for (auto const& body : spec.bodies) {

@@ -164,7 +164,8 @@ ModelTraits const& contact_traits() {
         .reasons = reasons,
         .channels = channels,
         .fields = fields_of<ContactQuantities>(),
-        .default_row = default_row_of<ContactQuantities>()};
+        .default_row = default_row_of<ContactQuantities>(),
+        .lacks = lacks_on_points};
     return traits;
 }
 

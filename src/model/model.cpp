@@ -1,5 +1,7 @@
 #include "model/model.hpp"
 
+#include <algorithm>
+
 namespace overturn {
 
 EffectMask ModelTraits::brings() const {
@@ -8,6 +10,13 @@ EffectMask ModelTraits::brings() const {
         mask |= mask_of(effect.value);
     }
     return mask;
+}
+
+bool ModelTraits::computes(std::string_view quantity, bool common) const {
+    if (common) {
+        return std::ranges::find(lacks, quantity) == lacks.end();
+    }
+    return std::ranges::find(fields, quantity, &Field::name) != fields.end();
 }
 
 EffectMask Model::possible(Trial const& /*trial*/) const { return traits().brings(); }

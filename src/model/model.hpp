@@ -30,8 +30,12 @@ struct ModelTraits {
     std::span<Channel const> channels = {};       ///< of its histories
     Fields fields = {};                           ///< its own quantities, stored in a group of its name
     std::vector<std::byte> default_row = {};      ///< a row of these for a trial that the model did not run
+    /// Quantities that every model else computes and this one does not: NaN.
+    std::span<std::string_view const> lacks = {};
 
     [[nodiscard]] EffectMask brings() const;
+    /// \param common whether each model has this quantity, unless it lacks it; else it is one of `fields`
+    [[nodiscard]] bool computes(std::string_view quantity, bool common) const;
 };
 
 /// The bytes of a default row.

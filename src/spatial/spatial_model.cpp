@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "contact/contact_model.hpp"
 #include "contact/matching.hpp"
 #include "core/error.hpp"
 
@@ -196,7 +197,8 @@ ModelTraits const& spatial_traits() {
                                     .reasons = reasons,
                                     .channels = channels,
                                     .fields = fields_of<SpatialQuantities>(),
-                                    .default_row = default_row_of<SpatialQuantities>()};
+                                    .default_row = default_row_of<SpatialQuantities>(),
+                                    .lacks = lacks_on_points};
     return traits;
 }
 

@@ -76,6 +76,26 @@ TEST(StatedEffects, FrictionThatTheyIgnoreIsReported) {
     EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\nmode='none'\n"), stuck));
 }
 
+// A limit to what the model of a body does not compute would decide nothing: it is said before the run.
+TEST(StatedEffects, LimitsToWhatNoTrialHasAreReported) {
+    auto const warned = [](std::string const& quantity, std::string const& waves, std::string const& body) {
+        auto const text = testing::quick_waves + waves + testing::type_b + body + testing::levels("values=[6]\n")
+                          + "[[limits]]\nname='far'\nquantity='" + quantity + "'\nabove=0.5\n";
+        return told(warnings_of(campaign_from(text)), "have no " + quantity + ", and so no verdict");
+    };
+    char const* const across = "[waves.transverse]\nratio=1\n";
+    for (auto const* const quantity : {"friction_demand", "friction_work", "rotation_at_peak"}) {
+        EXPECT_TRUE(warned(quantity, across, "friction=0.5\n")) << quantity;
+        EXPECT_TRUE(warned(quantity, "", "friction=0.5\nbase={bedding='flat'}\n")) << quantity;
+        EXPECT_FALSE(warned(quantity, "", "friction=0.5\n")) << quantity;
+    }
+    for (auto const* const quantity : {"peak_rotation", "peak_slip", "peak_top", "residual_x"}) {
+        EXPECT_FALSE(warned(quantity, across, "friction=0.5\n")) << quantity;
+        EXPECT_FALSE(warned(quantity, "", "friction=0.5\nbase={bedding='flat'}\n")) << quantity;
+    }
+    EXPECT_TRUE(warned("rotation_most", across, "friction=0.5\n"));
+}
+
 TEST(StatedEffects, BasesAndComponentsThatTheyLeaveOutAreReported) {
     auto const bears = [](CampaignSpec const& spec, std::string_view name) {
         auto const all = model_assumptions();
