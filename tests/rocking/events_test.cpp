@@ -236,6 +236,35 @@ TEST(ContactLoss, BeyondAlphaTheFallKeepsItsRate) {
     }
 }
 
+// A history ends where the body lies, stuck or slipping, and with the velocity that it lands with.
+TEST(Landing, HistoriesEndWhereTheBodyLies) {
+    struct Last : RockingObserver {
+        void at(RockingInstant const& i) override { last = i; }
+        RockingInstant last{};
+    };
+    std::vector<double> push(400, 0.0);
+    for (std::size_t i = 0; i < 200; ++i) {
+        push[i] = 9 * std::sin(pi * 0.01 * static_cast<double>(i));
+    }
+    for (double const sign : {1.0, -1.0}) {
+        for (auto& a : push) {
+            a *= sign;
+        }
+        for (double const friction : {0.0, 0.3}) {
+            auto grips = block;
+            grips.friction_static = grips.friction_kinetic = friction;
+            Last seen;
+            auto const out = simulate_rocking(grips, shaking(push, 0.01), {}, {}, &seen,
+                                              friction == 0 ? Slip::ignored : Slip::simulated);
+            ASSERT_EQ(out.verdict, Verdict::overturned);
+            EXPECT_EQ(std::abs(seen.last.rotation_rad), pi / 2);
+            EXPECT_EQ(seen.last.time_s, out.overturn_time_s);
+            EXPECT_EQ(std::abs(seen.last.velocity_radps), out.landing_spin_radps);
+            EXPECT_EQ(std::signbit(seen.last.rotation_rad), std::signbit(seen.last.velocity_radps));
+        }
+    }
+}
+
 // I_O w^2 / 2 = m g R (1 - sin(alpha)), from balance; and under a constant push from rest, whose work comes on
 // top.
 TEST(Landing, OfARigidBlockFromBalance) {

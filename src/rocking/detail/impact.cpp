@@ -193,6 +193,9 @@ void overturn_now(RockingRun& run) {
     if (run.setup.nonlinear() && run.state.mode == Mode::rock) {  // psi = alpha - pi/2
         run.log.watch_forces(stuck_forces(run, -run.corner().cosine_alpha, run.corner().sine_alpha, run.state.omega));
     }
+    auto const& state = run.state;
+    run.log.show({run.sample.now(), state.side * overturned_rad, state.side * state.omega, 0, 0,  // as at an impact
+                  state.slip_m, state.slip_velocity_mps});
     run.log.overturn(run.sample.now(), run.state.omega);
 }
 
