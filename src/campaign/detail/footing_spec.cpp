@@ -177,9 +177,9 @@ void validate_match(Table const& table, BodySpec const& spec) {
 void validate_width(Table const& table, RigidBody const& body, SpatialBlock const& block) {
     constexpr double same = 1e-6;
     if (std::abs(block.edge_m - body.half_width_m()) > same * block.edge_m) {
-        table.fail("base_width", fmt::format("{:.6g} m (the polygon's nearest edge passes the axis at {:.6g} m). State "
-                                             "twice that",
-                                             2 * body.half_width_m(), block.edge_m));
+        table.fail("base_width", fmt::format("{:.9g} m (the polygon's nearest edge passes the axis at {:.9g} m). "
+                                             "State \"{:.9g} m\"",
+                                             2 * body.half_width_m(), block.edge_m, 2 * block.edge_m));
     }
 }
 
