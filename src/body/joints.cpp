@@ -110,6 +110,26 @@ std::vector<Joint> joints_of(std::span<BodyPart const> parts) {
     return joints;
 }
 
+std::vector<std::size_t> without_joint(std::span<BodyPart const> parts) {
+    auto const solids = solids_of(parts);
+    double const close_m = closeness_m(solids);
+    auto const joints = joints_of(parts);
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < solids.size(); ++i) {
+        auto const& solid = solids[i];
+        bool const joined = std::ranges::any_of(
+            joints, [&](Joint const& joint) { return std::ranges::find(joint.parts, i) != joint.parts.end(); });
+        bool const inside = std::ranges::any_of(solids, [&](Solid const& other) {
+            return &other != &solid && other.has_faces && other.bottom_m <= solid.bottom_m + close_m
+                   && other.top_m >= solid.top_m - close_m;
+        });
+        if (solid.has_faces && solid.bottom_m > close_m && !solid.standing.fastened && !joined && !inside) {
+            places.push_back(i);
+        }
+    }
+    return places;
+}
+
 bool any_loose(std::span<BodyPart const> parts) {
     auto const solids = solids_of(parts);
     double const close_m = closeness_m(solids);

@@ -31,6 +31,10 @@ struct Joint {
 /// meet within a thousandth of the body's height: what holds them is not known then. A point is above what is below it.
 [[nodiscard]] std::vector<Joint> joints_of(std::span<BodyPart const> parts);
 
+/// Places of parts above the base that meet no face below them, are no contents of another part and are not stated to
+/// be fastened: joints_of knows nothing of what holds them.
+[[nodiscard]] std::vector<std::size_t> without_joint(std::span<BodyPart const> parts);
+
 /// Does any part stand above the base without being stated to be fastened?
 [[nodiscard]] bool any_loose(std::span<BodyPart const> parts);
 

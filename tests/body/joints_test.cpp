@@ -1,6 +1,7 @@
 // Requirement R-305: where parts stand on parts, statics tells at which acceleration they tip or slide there.
 #include "body/joints.hpp"
 
+#include <cstddef>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -62,6 +63,21 @@ TEST(Joints, NoneIsGuessedWhereNoneIsKnown) {
     EXPECT_TRUE(joints_of(std::vector<BodyPart>{Box{20, 3.0, 0.3, 0.0}, PointMass{40, 0.3}}).empty());
     EXPECT_FALSE(joints_of(std::vector<BodyPart>{Box{20, 3.0, 0.3, 0.0}, Cylinder{40, 0.5, 2.0, 0.301}}).empty())
         << "they meet within a thousandth of the height";
+}
+
+// What stands a little too low or too high is not passed over.
+TEST(Joints, PartsThatMeetNothingAreNamed) {
+    using Places = std::vector<std::size_t>;
+    auto const of = [](BodyPart const& upper) {
+        return without_joint(std::vector<BodyPart>{Box{20, 3.0, 0.35, 0.0}, upper});
+    };
+    EXPECT_EQ(of(Cylinder{40, 0.5, 2.0, 0.34}), Places{1}) << "a centimetre too low";
+    EXPECT_EQ(of(Cylinder{40, 0.5, 2.0, 0.40}), Places{1}) << "a gap";
+    EXPECT_EQ(of(Cylinder{40, 0.5, 2.0, 0.34, {true, {}}}), Places{}) << "fastened";
+    EXPECT_EQ(of(Cylinder{40, 0.5, 2.0, 0.35}), Places{}) << "it stands there";
+    EXPECT_EQ(of(Cylinder{40, 0.5, 0.2, 0.1}), Places{}) << "contents";
+    EXPECT_EQ(of(Cylinder{40, 0.5, 2.0, 0.0}), Places{}) << "on the ground";
+    EXPECT_EQ(of(PointMass{40, 0.4}), Places{});
 }
 
 TEST(Joints, AreFastenedWhereAllThatStandsThereIs) {

@@ -123,6 +123,14 @@ TEST(Plausible, PartsThatMoveOnEachOtherFirstGetOne) {
                 "part 1 slides at 0.3 g on what it stands on, before the whole");
     expect_told(of("", "slope='2 deg'\naxes=1\n"),
                 "tips at 0.421 g on what it stands on, before the whole tips at 0.602");
+    auto const sunk = warnings_of(
+        testing::campaign_from(testing::quick_waves
+                               + "[[bodies]]\nname='c'\nbase_width=3.4\nparts=[{kind='cylinder', mass='117 t', "
+                                 "diameter=2.5, height=5.4, bottom=0.34}, {kind='box', mass='21 t', width=3.4, "
+                                 "height=0.35}]\n"
+                               + testing::levels("values=[3]\n"))
+            .bodies.front());
+    expect_told(sunk, "part 1 stands above the base, but its bottom meets no top of another part");
 }
 
 std::vector<std::string> of_campaign(std::string const& waves, std::string const& levels = "values=[3]\n",

@@ -44,6 +44,12 @@ std::vector<std::string> loose_parts(BodySpec const& spec) {
             parts_at, joint.parts.size() > 1 ? "they stand" : "it stands", whole_slides ? "slides" : "tips", whole,
             joint.mass_kg / 1000, 2 * joint.half_width_m, joint.centre_above_m));
     }
+    for (auto const place : without_joint(spec.parts)) {
+        lines.push_back(
+            fmt::format("{} stands above the base, but its bottom meets no top of another part: nothing was checked of "
+                        "where it tips or slides. Mend its bottom or their heights, or state fastened = true there",
+                        numbers({place})));
+    }
     return lines;
 }
 
