@@ -40,10 +40,13 @@ tr.plain td:first-child::before { content: "\25cb\00a0"; color: #888; }
 @media (max-width: 60rem) { section { grid-template-columns: minmax(0, 1fr); } }
 @media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; } }
 @media print {
-  @page { margin: 16mm 14mm; }
-  body { font-size: 10pt; max-width: none; padding: 0; } section { grid-template-columns: minmax(0, 1fr); }
-  .scroll { overflow: visible; background: none; } svg { min-width: 0; } figure, tr, .answer { break-inside: avoid; }
-  table { font-size: 8pt; } th, td { white-space: normal; }
+  @page { size: A4; margin: 16mm 14mm; }
+  :root { color-scheme: light; } body { font-size: 10pt; max-width: none; padding: 0; } p { orphans: 3; widows: 3; }
+  section { display: block; margin-top: 1.2rem; padding-top: .8rem; } h1, h2, header { break-after: avoid; }
+  .scroll { overflow: visible; background: none; } figure svg { min-width: 0; max-height: 68mm; margin: .4rem auto; }
+  figure, tr, header, .answer, table:not(:has(tbody tr:nth-child(13))) { break-inside: avoid; }  /* a short table stays whole */
+  thead, tbody tr:first-child { break-after: avoid; } tr:last-child { break-before: avoid; }
+  table { font-size: 8pt; margin-top: .4rem; } th, td { white-space: normal; }
 }
 )css";
 
