@@ -69,7 +69,9 @@ struct MeasuredWave {
 
 /// Facts of a source that are known before any wave is made.
 struct WaveDescription {
-    std::string text;         ///< one line on what it makes, but for what WaveSource::text adds
+    std::string text;  ///< one line on what it makes, but for what WaveSource::text adds
+    /// How its input was read, where that is not plain; one line each.
+    std::vector<std::string> remarks = {};
     std::string variability;  ///< cause of the differences of its waves, a line beside every curve from them
     std::optional<std::uint64_t> available = {};  ///< number of different waves; empty: unlimited
     /// Periods of a grid [s], for a source whose n-th wave is the grid's n-th point; empty for all others. Such waves

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "generators/detail/high_pass_baseline.hpp"
 #include "generators/detail/matched_normals.hpp"
@@ -30,7 +34,12 @@ SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<Fu
         input.longest_s = std::min(input.longest_s, std::max(own.last_period_s(), 1.0));
         add(kind, input, correlation, own.psa_mps2(compared_at_s) / target.psa_mps2(compared_at_s));
     }
+    std::vector<std::string> remarks;
+    for (auto const& part : parts_) {
+        std::ranges::copy(part.input.target.remarks(), std::back_inserter(remarks));
+    }
     describe({.text = summary(Median::not_yet),
+              .remarks = std::move(remarks),
               .variability = variability(),
               .available = seeds_.empty() ? std::nullopt : std::optional<std::uint64_t>(seeds_.size()),
               .acceptance = request.acceptance,

@@ -115,6 +115,7 @@ int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& 
               {"blocks", plan.blocks()},
               {"block_waves", plan.block_size()},
               {"wave_source", spec.source->text()},
+              {"wave_remarks", spec.source->about().remarks},
               {"differ_by", spec.source->about().variability},
               {"records", ends_of_records(spec)},
               {"bodies", bodies_json(spec)},
@@ -175,6 +176,9 @@ void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan cons
                count(spec.bodies.size(), "body", "bodies"), count(spec.levels.levels.size(), "level", "levels"),
                plan.trials());
     print_entry("waves", spec.source->text());
+    for (auto const& remark : spec.source->about().remarks) {
+        print_entry("remark", remark);
+    }
     print_entry("differ by", spec.source->about().variability);
     print_records(spec, options.full);
     fmt::print("{}",

@@ -40,6 +40,9 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
     auto const& levels = spec.levels.levels;
     auto const waves = statistics.waves().waves;
     add("waves", fmt::format("{} ({})", output::ran_text(waves, plan.asked()), spec.source->text()));
+    for (auto const& remark : spec.source->about().remarks) {
+        add("remark on the waves", remark);
+    }
     add("waves differ by", spec.source->about().variability);
     if (auto const sigma = statistics.achieved_sigma()) {
         add("scatter about the median", output::sigma_text(*sigma));

@@ -1,5 +1,7 @@
-#include <cmath>
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,7 @@
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/print_note.hpp"
+#include "output/spectra_text.hpp"
 #include "report/figure.hpp"
 
 namespace overturn::cli {
@@ -23,29 +26,6 @@ struct SpectraOptions {
     double damping = 0.1;
     bool json = false;
 };
-
-void print_spectra(CampaignSpec const& spec, SpectraOfWaves const& spectra, output::ShownVelocity const& unit) {
-    fmt::print("{} waves{}, unscaled; they differ by {}\n", spectra.waves.size(),
-               spectra.left_out > 0 ? fmt::format(" ({} more cannot be made)", spectra.left_out) : "",
-               spec.source->about().variability);
-    auto const heads = [](std::string const& what) { return fmt::format(" {:>10} {:>10} {:>10}", what, "", ""); };
-    auto const three = [] { return fmt::format(" {:>10} {:>10} {:>10}", "16 %", "50 %", "84 %"); };
-    auto const cell = [](double value) { return std::isnan(value) ? std::string("-") : fmt::format("{:.4g}", value); };
-    auto const cells = [&](SpectrumBand const& band, std::size_t i, double si) {
-        return fmt::format(" {:>10} {:>10} {:>10}", cell(band.p16[i] / si), cell(band.p50[i] / si),
-                           cell(band.p84[i] / si));
-    };
-    fmt::print("{:>9}{}{}{}\n", "", heads("pSa m/s2"), spectra.targets ? heads("targets") : "",
-               heads("V_E " + unit.symbol));
-    fmt::print("{:>9}{}{}{}\n", "period s", three(), spectra.targets ? three() : "", three());
-    constexpr std::size_t every = 5;
-    for (std::size_t i = 0; i < spectra.period_s.size(); i += every) {
-        fmt::print("{:>9.4f}{}{}{}\n", spectra.period_s[i], cells(spectra.psa_mps2, i, 1),
-                   spectra.targets ? cells(*spectra.targets, i, 1) : "", cells(spectra.v_e_mps, i, unit.si()));
-    }
-    fmt::print("damping {:g} of pSa{}, {:g} of V_E; every wave at all {} periods with --json\n", spectra.damping,
-               spectra.targets ? " and of targets" : "", spectra.energy_damping, spectra.period_s.size());
-}
 
 int show_spectra(SpectraOptions const& options) {
     validate(options.damping >= 0 && options.damping < 1,
@@ -72,7 +52,7 @@ int show_spectra(SpectraOptions const& options) {
     if (options.json) {
         fmt::print("{}\n", json.dump(2));
     } else {
-        print_spectra(spec, spectra, options.unit.of_campaign(spec));
+        fmt::print("{}", output::spectra_text(spec, spectra, options.unit.of_campaign(spec)));
     }
     return done;
 }

@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "campaign/plan.hpp"
 #include "campaign/rocking_band.hpp"
@@ -107,6 +111,7 @@ Json spectra_json(CampaignSpec const& spec, SpectraOfWaves const& spectra) {
     Json json{{"title", spec.title},
               {"waves", spectra.waves.size()},
               {"left_out", spectra.left_out},
+              {"remarks", spec.source->about().remarks},
               {"differ_by", spec.source->about().variability},
               {"damping", spectra.damping},
               {"energy_damping", spectra.energy_damping},

@@ -105,6 +105,9 @@ class Run {
         committed_ = take_blocks(options_.output, shards_, plan_, request, found.at("begun").get<bool>(), comm_);
         if (comm_.is_root()) {
             print_note("waves: {}\n", spec_.source->text());
+            for (auto const& remark : spec_.source->about().remarks) {
+                print_note("remark: {}\n", remark);
+            }
             print_note("they differ by {}\n", spec_.source->about().variability);
             print_note("validated range: {}\n", validated_range_text(spec_));
             for (auto const& line : warnings_of(spec_)) {

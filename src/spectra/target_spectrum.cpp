@@ -91,7 +91,6 @@ TargetSpectrum TargetSpectrum::from_points(std::string name, double damping, Tar
         branches.push_back({.to_s = t1, .constant = pga, .slope = (v1 - pga) / t1});
         constexpr double stiff_s = 0.01;  // below it nothing responds to the ground's motion
         first_s = std::min(stiff_s, t1 / 2);
-        name += fmt::format(" (its row at period 0, {:.4g} m/s2, is the PGA, joined by a straight line)", pga);
         points = points.subspan(1);
     }
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -107,6 +106,11 @@ TargetSpectrum TargetSpectrum::from_points(std::string name, double damping, Tar
         branches.push_back({.to_s = t1, .power = power * std::pow(2 * pi, order), .exponent = exponent - order});
     }
     TargetSpectrum target(std::move(name), damping, first_s, std::move(branches));
+    if (stated.size() > points.size()) {
+        target.remarks_.push_back(
+            fmt::format("{}: the row at period 0, {:.4g} m/s2, is the PGA; a straight line joins it to the next row",
+                        target.name_, stated.front().second));
+    }
     target.energy_ = kind == TargetKind::energy_velocity;
     if (!target.energy_) {
         auto const ordinate = [&](std::pair<double, double> const& point) {
@@ -146,6 +150,12 @@ double TargetSpectrum::psv_mps(double period_s) const { return psa_mps2(period_s
 
 bool TargetSpectrum::defined_at(double period_s) const {
     return period_s >= first_period_s() && period_s <= last_period_s();
+}
+
+TargetSpectrum TargetSpectrum::remarked(std::string remark) const {
+    auto copy = *this;
+    copy.remarks_.push_back(std::move(remark));
+    return copy;
 }
 
 TargetSpectrum TargetSpectrum::scaled(double factor) const {

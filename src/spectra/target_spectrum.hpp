@@ -65,10 +65,14 @@ class TargetSpectrum {
     /// True if psv_mps is to be read as V_E, and waves are to be compared by their input energy.
     [[nodiscard]] bool is_energy() const { return energy_; }
     [[nodiscard]] std::string const& name() const { return name_; }
+    /// How its table was read, where that is not plain: one line each, for the description of the input.
+    [[nodiscard]] std::vector<std::string> const& remarks() const { return remarks_; }
     [[nodiscard]] double damping() const { return damping_; }
     [[nodiscard]] double first_period_s() const { return first_period_s_ * time_scale_; }
     [[nodiscard]] double last_period_s() const { return branches_.back().to_s * time_scale_; }
 
+    /// The same with one more remark.
+    [[nodiscard]] TargetSpectrum remarked(std::string remark) const;
     /// All ordinates times `factor`.
     [[nodiscard]] TargetSpectrum scaled(double factor) const;
     /// For a model whose time runs `time_scale` (s^1/2) times the prototype's: psa_model(T) = psa(T / time_scale).
@@ -85,6 +89,7 @@ class TargetSpectrum {
 
   private:
     std::string name_;
+    std::vector<std::string> remarks_;
     double damping_;
     double first_period_s_;
     std::vector<TargetBranch> branches_;

@@ -129,8 +129,9 @@ TargetSpectrum target_of_table(PairTable const& table, std::string const& name, 
                                      units_to_state(kind)));
     }
     check_rows(table, hertz.has_value(), logarithms, kind, name);
-    return TargetSpectrum::from_points(name + not_understood(unread), damping, kind,
-                                       in_si(table, abscissa, *unit, hertz.has_value(), logarithms));
+    auto const target =
+        TargetSpectrum::from_points(name, damping, kind, in_si(table, abscissa, *unit, hertz.has_value(), logarithms));
+    return unread.empty() ? target : target.remarked(name + not_understood(unread));
 }
 
 }  // namespace overturn

@@ -78,6 +78,31 @@ TEST_F(Spectra, VelocitiesInKine) {
     EXPECT_NE(one.out.find("PGV 4 kine"), std::string::npos) << one.out;
 }
 
+// a line of a target's table that is not understood is a remark where the input is described, and no part of the
+// target's name.
+TEST_F(Spectra, LinesThatAreNotUnderstoodAreRemarks) {
+    folder.write("t.csv", "Smith 2001\nT (s),Sa (g)\n0.05,0.5\n0.5,0.6\n5,0.1\n");
+    folder.write("w.toml",
+                 "seed=3\n[waves]\nsource='spectrum-compatible'\ncount=2\nduration='20.48 s'\ntime_step='0.02 s'\n"
+                 "[waves.target]\nfile='t.csv'\nkind='acceleration'\n[waves.envelope]\nshape='jennings'\nrise='4 "
+                 "s'\nlevel_end='10 s'\n"
+                 "end='18 s'\n"
+                     + bodies);
+    std::string const remark = "t.csv (not understood: line 1: 'Smith 2001')";
+    EXPECT_NE(planned(folder, {"w.toml"}).out.find("remark    " + remark), std::string::npos);
+    auto const shown = overturn(folder, {"spectra", "w.toml"});
+    EXPECT_NE(shown.out.find("Remark: " + remark), std::string::npos) << shown.out;
+    auto const told = spectra("w.toml");
+    EXPECT_EQ(told["remarks"], json({remark}));
+    EXPECT_EQ(told["target"]["name"], "t.csv");
+    auto const plan = json::parse(overturn(folder, {"plan", "w.toml", "--json"}).out);
+    EXPECT_EQ(plan["wave_remarks"], json({remark}));
+    EXPECT_EQ(plan["wave_source"].get<std::string>().find("not understood"), std::string::npos) << plan["wave_source"];
+    auto const run = overturn(folder, {"run", "w.toml", "-o", "w.h5"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.err.find("remark: " + remark), std::string::npos) << run.err;
+}
+
 // Beside every curve stands by what its waves differ: in plan, run's table, JSON and the file.
 TEST_F(Spectra, CurvesSayByWhatTheirWavesDiffer) {
     std::string const waves =

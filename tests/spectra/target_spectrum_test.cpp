@@ -238,7 +238,9 @@ TEST(TargetSpectrum, FrequenciesLogarithmsAndThePga) {
         read("\xEF\xBB\xBF\"<i>T</i>(s)\",\"<i>S</i>\xE2\x82\x90(g)\"\n0,0.346\n0.05,0.764\n0.1,0.865\n1,0.3\n");
     EXPECT_TRUE(near(code.psa_mps2(0.025), (0.346 + 0.764) / 2 * g0, exact_formula));
     EXPECT_TRUE(near(code.psa_mps2(0.05), 0.764 * g0, exact_formula));
-    EXPECT_NE(code.name().find("its row at period 0, 3.393 m/s2, is the PGA"), std::string::npos) << code.name();
+    EXPECT_EQ(code.name(), "t.csv");
+    EXPECT_EQ(code.remarks(), std::vector<std::string>{"t.csv: the row at period 0, 3.393 m/s2, is the PGA; a straight "
+                                                       "line joins it to the next row"});
     expect_input_error([&] { (void)read("T,Sa [g]\n0,0\n0.1,1\n1,1\n"); }, "t.csv:2: ", "ordinate 0");
     expect_input_error([&] { (void)read("f,Sa [g]\n0,1\n1,1\n2,1\n"); }, "t.csv:2: ", "frequency 0");
 }
