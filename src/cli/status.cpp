@@ -17,7 +17,6 @@
 #include "results/missed_clauses.hpp"
 #include "results/recount.hpp"
 #include "results/statistics.hpp"
-#include "results/stored_names.hpp"
 #include "runner/merge.hpp"
 #include "runner/output_place.hpp"
 #include "store/format_versions.hpp"
@@ -43,28 +42,30 @@ std::int64_t trials_of(CampaignSpec const& spec, std::int64_t waves) {
     return waves * std::ssize(spec.bodies) * Plan(spec).level_count();
 }
 
+bool any_failed(Statistics const& counted) {
+    return std::ranges::any_of(counted.bodies(), [](BodyStatistics const& body) {
+        return std::ranges::any_of(body.stripes, [](Stripe const& stripe) { return stripe.failed > 0; });
+    });
+}
+
 StatusReport report_of_file(std::string const& path, Unverified const& unverified) {
     store::ResultsReader const file(path, unverified.trust());
     auto const spec = parse_campaign(input_of(file));
     bool const changed = unverified.warn_if_changed(file, path);
-    auto const verdicts = stored_verdicts(file);
-    auto const counted = recount(file, spec);
+    auto const trials = file.length("trials/verdict");
+    auto const counted = recount(file, spec, TrialsHeld::none);
     auto const waves = output::waves_text(counted.waves(), spec.source->about().acceptance, spec.confidence);
     auto const done_waves = counted.waves().waves;
     Plan const drawn(spec);
     auto const planned = spec.has_target() ? drawn.asked() : done_waves;
     StatusReport report;
     report.state = output::complete_text({.title = file.text("title"),
-                                          .trials = std::ssize(verdicts),
+                                          .trials = trials,
                                           .waves = done_waves,
                                           .planned = planned,
                                           .waves_text = waves,
                                           .changed = changed});
     report.more = output::missed_clauses_text(counted.missed_clauses());
-    auto const reasons =
-        file.has("trials/failure")
-            ? file.named("trials/failure", field_named(fields_of<TrialRow>(), "failure").categories)
-            : std::vector<std::int64_t>(verdicts.size(), static_cast<std::int64_t>(FailureReason::none));
     output::FailedTrials failed(spec);
     auto const ids = file.integers("waves/id");
     bool const judged = spec.measures.wave_quality && file.has("waves/acceptance_failures");
@@ -76,26 +77,24 @@ StatusReport report_of_file(std::string const& path, Unverified const& unverifie
         failed.know(row);
     }
     std::int64_t failures = 0;
-    for (std::size_t i = 0; i < verdicts.size(); ++i) {
-        if (verdicts[i] == Verdict::failed) {
+    if (any_failed(counted)) {
+        each_failed(file, spec, [&](std::int64_t number, FailureReason reason) {
             TrialRow row;
             row.verdict = Verdict::failed;
-            row.failure = static_cast<FailureReason>(reasons.at(i));
-            std::int64_t const number = i;
+            row.failure = reason;
             failed.add(number, failed.lists_more() ? read_trial(file, spec, number).rows.front() : row);
             ++failures;
-        }
+        });
     }
     report.more += failed.text();
     if (auto const known = store::known_errors_of(file.integer("format_version")); !known.empty()) {
         report.more += known.substr(1) + '\n';
     }
-    report.facts = {
-        {"complete", true},
-        {"edited", changed},
-        {"title", file.text("title")},
-        {"waves", counts_json(counted.waves(), planned)},
-        {"trials", {{"counted", verdicts.size()}, {"planned", trials_of(spec, planned)}, {"failed", failures}}}};
+    report.facts = {{"complete", true},
+                    {"edited", changed},
+                    {"title", file.text("title")},
+                    {"waves", counts_json(counted.waves(), planned)},
+                    {"trials", {{"counted", trials}, {"planned", trials_of(spec, planned)}, {"failed", failures}}}};
     return report;
 }
 

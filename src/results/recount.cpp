@@ -1,10 +1,12 @@
 #include "results/recount.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string_view>
 
 #include "campaign/withheld_inputs.hpp"
 #include "response/registry.hpp"
@@ -70,6 +72,15 @@ void each_row(store::ResultsReader const& file, store::TableSpec const& table, s
             take(row);
         }
     }
+}
+
+// Is a column of /trials one that statistics count by, without those that they hold for curves?
+bool is_counted(std::string_view column, std::span<LimitState const> limits) {
+    constexpr std::array counted{"wave",          "body",         "level",       "verdict",    "effects_called",
+                                 "effects",       "reason",       "rung",        "v_wes_safe", "ou_v_e_safe",
+                                 "overturn_time", "time_of_peak", "first_uplift"};
+    return std::ranges::find(counted, column) != counted.end()
+           || std::ranges::any_of(limits, [&](LimitState const& limit) { return limit.quantity.name == column; });
 }
 
 // The trials' records of what models have to say of their own, one after the other, some at a time; all empty where
@@ -196,12 +207,13 @@ Plan plan_in(store::ResultsReader const& file, CampaignSpec const& spec) {
     return drawn.chosen(std::move(numbers), each);
 }
 
-Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
-    Statistics statistics(spec);
+Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec, TrialsHeld held) {
+    Statistics statistics(spec, held);
     auto const plan = plan_in(file, spec);
     auto const done = plan.waves();
-    auto const measures = stored_measures(file, spec, done);
-    auto const bodies = spec.bodies.size();
+    bool const all = held == TrialsHeld::all;
+    auto const measures = all ? stored_measures(file, spec, done) : std::vector<MeasureRow>{};
+    auto const bodies = all ? spec.bodies.size() : 0;
     std::size_t wave = 0;
     each_row<WaveRow>(file, wave_table(spec), done, [&](WaveRow const& row) {
         statistics.add(row, std::span(measures).subspan(bodies * wave++, bodies));
@@ -213,7 +225,11 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
     std::int64_t const levels = spec.levels.levels.size();
     ModelSelector const selector(spec.effects, spec.accuracy);
     OwnRecords own(file, selector, statistics.reads_extra() ? done * plan.trials_per_wave() : 0);
-    each_row<TrialRow>(file, stored_trial_table(file, spec), done * plan.trials_per_wave(), [&](TrialRow const& row) {
+    auto table = stored_trial_table(file, spec);
+    if (!all) {
+        std::erase_if(table.columns, [&](Field const& column) { return !is_counted(column.name, spec.limits); });
+    }
+    each_row<TrialRow>(file, table, done * plan.trials_per_wave(), [&](TrialRow const& row) {
         require(row.level >= 0 && row.level < levels,
                 fmt::format("trials/level holds {}, which names nothing", row.level));
         statistics.add(row, own.next());
@@ -223,6 +239,20 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec) {
         require_stored_limits(file, spec, counted);
     }
     return statistics;
+}
+
+void each_failed(store::ResultsReader const& file, CampaignSpec const& spec,
+                 std::function<void(std::int64_t, FailureReason)> const& take) {
+    auto table = stored_trial_table(file, spec);
+    std::erase_if(table.columns,
+                  [](Field const& column) { return column.name != "verdict" && column.name != "failure"; });
+    std::int64_t number = 0;
+    each_row<TrialRow>(file, table, file.length("trials/verdict"), [&](TrialRow const& row) {
+        if (row.verdict == Verdict::failed) {
+            take(number, row.failure);
+        }
+        ++number;
+    });
 }
 
 TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec, std::int64_t number) {

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
 #include "campaign/campaign_input.hpp"
 #include "campaign/campaign_spec.hpp"
 #include "campaign/trial.hpp"
+#include "model/failure.hpp"
 #include "results/statistics.hpp"
 #include "store/results_file.hpp"
 
@@ -22,8 +24,14 @@ namespace overturn {
 /// One trial as stored.
 [[nodiscard]] TrialRows read_trial(store::ResultsReader const& file, CampaignSpec const& spec, std::int64_t number);
 
-/// All statistics recomputed from the stored trials.
-[[nodiscard]] Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec);
+/// All statistics recomputed from the stored trials. Where none are held it takes the memory of some rows, and reads
+/// the columns that are counted alone.
+[[nodiscard]] Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec,
+                                 TrialsHeld held = TrialsHeld::all);
+
+/// Calls `take` with the number and the reason of every trial that failed, in their order.
+void each_failed(store::ResultsReader const& file, CampaignSpec const& spec,
+                 std::function<void(std::int64_t, FailureReason)> const& take);
 
 /// The columns, of those that the file has, in which two trials differ in any bit; those of a model with its name:
 /// "contact/peak_crush".

@@ -20,8 +20,9 @@ void count(LimitStatistics& limit, std::size_t level, VerdictEntry const& end, b
 
 }  // namespace
 
-Statistics::Statistics(CampaignSpec const& spec)
+Statistics::Statistics(CampaignSpec const& spec, TrialsHeld held)
     : judge_(spec.limits, ModelSelector(spec.effects, spec.accuracy)),
+      held_(held),
       sigma_(spec),
       measured_(held_measures(spec), spec.source->about().waves_alike) {
     for (auto const& body : spec.bodies) {
@@ -59,7 +60,9 @@ void Statistics::add(WaveRow const& row, std::span<MeasureRow const> measures) {
         missed_clauses_.add(row);
     }
     sigma_.add(row);
-    measured_.add(row, measures);
+    if (held_ == TrialsHeld::all) {
+        measured_.add(row, measures);
+    }
 }
 
 void Statistics::add_refused(WaveRow const& row) {
@@ -81,7 +84,9 @@ void Statistics::add(BlockRows const& block) {
 
 void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
     auto const limits = judge_.judge(row, own);
-    measured_.add(row, limits);
+    if (held_ == TrialsHeld::all) {
+        measured_.add(row, limits);
+    }
     auto& body = bodies_.at(row.body);
     std::size_t const level = row.level;
     if (!body.grid.empty()) {

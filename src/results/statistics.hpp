@@ -58,12 +58,15 @@ struct WaveCounts {
     void add(WaveRow const& row);
 };
 
+/// Are trials held one by one, as curves need them, or only counted?
+enum class TrialsHeld : std::uint8_t { all, none };
+
 /// Counts trials as they come; integers only, so that no order can matter. Keeps the measured ones for the curves.
 /// Waves come in their order.
 class Statistics {
   public:
     /// \param spec outlives it
-    explicit Statistics(CampaignSpec const& spec);
+    explicit Statistics(CampaignSpec const& spec, TrialsHeld held = TrialsHeld::all);
     /// \param own what models have to say of their own about it; empty: not at hand
     void add(TrialRow const& row, std::span<std::byte const> own = {});
     /// A wave that a rule refused.
@@ -79,11 +82,12 @@ class Statistics {
     [[nodiscard]] std::optional<AchievedSigma> achieved_sigma() const { return sigma_.achieved(waves_.missed); }
     /// Do limit states depend on extra quantities of models?
     [[nodiscard]] bool reads_extra() const { return judge_.reads_extra(); }
-    /// Trials whose waves were added too.
+    /// Trials whose waves were added too; none where none are held.
     [[nodiscard]] MeasuredTrials const& measured() const { return measured_; }
 
   private:
     LimitJudge judge_;
+    TrialsHeld held_;
     void count_after_record(TrialRow const& row, BodyStatistics& body) const;
 
     WaveCounts waves_;

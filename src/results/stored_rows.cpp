@@ -11,8 +11,8 @@ namespace overturn {
 StoredRows::StoredRows(store::ResultsReader const& file, CampaignSpec const& spec)
     : file_(file),
       selector_(spec.effects, spec.accuracy),
-      trials_(std::ssize(file.integers("trials/verdict"))),
-      waves_(std::ssize(file.integers("waves/id"))),
+      trials_(file.length("trials/verdict")),
+      waves_(file.length("waves/id")),
       trial_table_(stored_trial_table(file, spec)),
       wave_table_(held_in(file, overturn::wave_table(spec))),
       own_tables_(extra_tables(selector_)) {

@@ -126,6 +126,8 @@ class ResultsReader {
     [[nodiscard]] bool has(std::string const& dataset) const;
     /// \throws InputError if it is not there
     void require(std::string const& dataset) const;
+    /// Rows of a column of numbers. \throws InputError if it is none
+    [[nodiscard]] std::int64_t length(std::string const& dataset) const;
     [[nodiscard]] std::vector<std::string> members(std::string const& group) const;
     /// All columns and small arrays, by path.
     [[nodiscard]] std::vector<ColumnMeaning> columns() const;

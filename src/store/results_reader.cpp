@@ -103,6 +103,12 @@ std::int64_t ResultsReader::integer(std::string const& name) const {
 bool ResultsReader::has(std::string const& dataset) const { return exists(opened_->file, dataset); }
 void ResultsReader::require(std::string const& dataset) const { require_dataset(opened_->file, dataset); }
 
+std::int64_t ResultsReader::length(std::string const& dataset) const {
+    auto const rows = length_of(open_numbers(opened_->file, dataset));
+    require_plausible(opened_->file, dataset, rows);
+    return std::max<std::int64_t>(0, rows);
+}
+
 std::vector<std::string> ResultsReader::members(std::string const& group) const {
     std::vector<std::string> names;
     if (!has(group)) {
