@@ -12,6 +12,7 @@
 #include "body/rigid_body.hpp"
 #include "body/similarity.hpp"
 #include "campaign/scatter.hpp"
+#include "campaign/text_units.hpp"
 #include "config/table.hpp"
 #include "core/input_files.hpp"
 #include "model/friction.hpp"
@@ -42,6 +43,7 @@ struct BodySpec {
     Footing footing = {};         ///< of the body in force
     /// Its parts, in the size of the body in force, with the masses stated; empty: stated as a whole
     std::vector<BodyPart> parts = {};
+    TypedUnits units = {};  ///< of texts about it: those of its file
 
     /// The first of its keys offset, slope and initial_tilt that says anything: of models only rocking and sliding hold
     /// them. Null: none does.

@@ -10,6 +10,7 @@
 #include "campaign/detail/measure_spec.hpp"
 #include "campaign/detail/placement_spec.hpp"
 #include "campaign/rows.hpp"
+#include "campaign/typed_units.hpp"
 #include "campaign/wave_check.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "config/faults.hpp"
@@ -271,6 +272,9 @@ CampaignSpec read_campaign(Table const& root, CampaignInput const& input, InputF
         waves.fail("count", fmt::format("{:.3g} trials in all (more than {}). Lower it", trials, most_trials));
     }
     spec.inputs = root.inputs();
+    for (auto& body : spec.bodies) {
+        body.units = typed_units(spec);
+    }
     return spec;
 }
 

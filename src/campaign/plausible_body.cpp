@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <string>
 #include <variant>
 
 #include "campaign/detail/gyration.hpp"
@@ -101,16 +102,21 @@ std::string height_said(BodySpec const& /*body*/, double share) { return scatter
 std::string bounce_said(BodySpec const& /*body*/, double share) { return scatter_text("restitution", share); }
 std::string grip_said(BodySpec const& /*body*/, double share) { return scatter_text("friction", share); }
 
+std::string length_text(BodySpec const& body, double value_m, int digits = 4) {
+    return fmt::format("{:.{}g} {}", value_m / body.units.length.si, digits, body.units.length.symbol);
+}
+
 std::string density_said(BodySpec const& body, double value) {
     return fmt::format("mass {:.4g} kg in the box of base and centre height is {:.3g} kg/m3", body.body.mass_kg(),
                        value);
 }
 std::string gyration_said(BodySpec const& body, double value) {
-    return fmt::format("inertia {:.4g} kg m2 is a radius of gyration of {:.3g} m, {:.2g} of R",
-                       body.body.inertia_kgm2(), value * body.body.radius_m(), value);
+    return fmt::format("inertia {:.4g} kg m2 is a radius of gyration of {}, {:.2g} of R", body.body.inertia_kgm2(),
+                       length_text(body, value * body.body.radius_m(), 3), value);
 }
 std::string ratio_said(BodySpec const& body, double value) {
-    return fmt::format("centre height {:.4g} m over half the width is {:.3g}", body.body.centre_height_m(), value);
+    return fmt::format("centre height {} over half the width is {:.3g}", length_text(body, body.body.centre_height_m()),
+                       value);
 }
 std::string restitution_said(BodySpec const& body, double value) {
     return fmt::format("restitution {:.4g} is {:.2g} of Housner's for its shape, {:.4g}", body.body.restitution(),
@@ -129,7 +135,7 @@ std::string length_said(BodySpec const& /*body*/, double value) {
 std::string tilt_said(BodySpec const& /*body*/, double value) { return fmt::format("initial_tilt {:.3g} deg", value); }
 std::string slope_said(BodySpec const& /*body*/, double value) { return fmt::format("slope {:.3g} deg", value); }
 std::string offset_said(BodySpec const& body, double value) {
-    return fmt::format("offset {:.4g} m is {:.2g} of half the width", body.body.offset_m(), value);
+    return fmt::format("offset {} is {:.2g} of half the width", length_text(body, body.body.offset_m()), value);
 }
 std::string frequency_said(BodySpec const& /*body*/, double value) {
     return fmt::format("pad.vertical_frequency {:g} Hz", value);

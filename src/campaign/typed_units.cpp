@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -33,8 +34,8 @@ Unit unit_of(config::InputValue const& input) {
 }
 
 // The first number below `place`: "bodies"; below "" everywhere.
-Unit of_keys(CampaignSpec const& spec, Dimension dimension, std::string_view place) {
-    for (auto const& input : spec.inputs) {
+Unit of_keys(std::span<config::InputValue const> inputs, Dimension dimension, std::string_view place) {
+    for (auto const& input : inputs) {
         if (input.dimension == dimension && input.key.starts_with(place)) {
             if (auto unit = unit_of(input)) {
                 return unit;
@@ -67,6 +68,14 @@ Unit of_target(CampaignSpec const& spec, Dimension dimension) {
     return std::nullopt;
 }
 
+// Of slips, where distances have this unit.
+Unit of_slip(Unit const& distance) {
+    if (!distance || distance->symbol == "m" || distance->symbol == "km") {
+        return std::nullopt;
+    }
+    return distance->symbol == "ft" ? unit_named("in", Dimension::length) : distance;
+}
+
 Unit first_of(std::initializer_list<Source> sources) {
     for (auto const& source : sources) {
         if (auto unit = source()) {
@@ -80,8 +89,9 @@ Unit first_of(std::initializer_list<Source> sources) {
 
 std::optional<IntensityUnit> typed_unit(CampaignSpec const& spec, Dimension dimension) {
     return first_of({[&] { return of_levels(spec.levels, dimension); }, [&] { return of_limits(spec, dimension); },
-                     [&] { return of_keys(spec, dimension, dimension == Dimension::length ? "site" : ""); },
-                     [&] { return of_keys(spec, dimension, "bodies"); }, [&] { return of_target(spec, dimension); }});
+                     [&] { return of_keys(spec.inputs, dimension, dimension == Dimension::length ? "site" : ""); },
+                     [&] { return of_keys(spec.inputs, dimension, "bodies"); },
+                     [&] { return of_target(spec, dimension); }});
 }
 
 TypedUnits typed_units(CampaignSpec const& spec) {
@@ -93,11 +103,22 @@ TypedUnits typed_units(CampaignSpec const& spec) {
     set(units.acceleration, Dimension::acceleration);
     set(units.velocity, Dimension::velocity);
     set(units.pressure, Dimension::pressure);
-    units.length = of_keys(spec, Dimension::length, "bodies").value_or(units.length);
-    if (auto const distance = typed_unit(spec, Dimension::length); distance) {
-        bool const coarse = distance->symbol == "m" || distance->symbol == "km";
-        units.slip = coarse ? units.slip : distance->symbol == "ft" ? *unit_named("in", Dimension::length) : *distance;
-    }
+    units.length = of_keys(spec.inputs, Dimension::length, "bodies").value_or(units.length);
+    units.slip = of_slip(typed_unit(spec, Dimension::length)).value_or(units.slip);
+    return units;
+}
+
+TypedUnits typed_units(std::span<config::InputValue const> inputs) {
+    TypedUnits units;
+    auto const set = [&](IntensityUnit& unit, Dimension dimension) {
+        unit = of_keys(inputs, dimension, "").value_or(unit);
+    };
+    set(units.mass, Dimension::mass);
+    set(units.length, Dimension::length);
+    set(units.acceleration, Dimension::acceleration);
+    set(units.velocity, Dimension::velocity);
+    set(units.pressure, Dimension::pressure);
+    units.slip = of_slip(of_keys(inputs, Dimension::length, "")).value_or(units.slip);
     return units;
 }
 

@@ -22,7 +22,8 @@ std::string placement_of(BodySpec const& spec) {
         said.push_back(fmt::format("on ground that falls by {:.3g}° towards +x", body.slope_rad() / degree));
     }
     if (body.offset_m() != 0) {
-        said.push_back(fmt::format("its centre {:.3g} m off the base's middle, towards +x", body.offset_m()));
+        said.push_back(fmt::format("its centre {:.3g} {} off the base's middle, towards +x",
+                                   body.offset_m() / spec.units.length.si, spec.units.length.symbol));
     }
     if (body.initial_tilt_rad() != 0) {
         said.push_back(fmt::format("let go at {:.3g}°", body.initial_tilt_rad() / degree));

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "campaign/typed_units.hpp"
 #include "core/input_files.hpp"
 #include "core/print_note.hpp"
 #include "core/units.hpp"
@@ -62,7 +63,9 @@ BodySpec load_body(std::string const& path) {
     InputFiles files(".");
     auto const table = config::Table::parse(files.read(path), path);
     table.described_by(bodies_table);
-    return read_body(table, files);
+    auto body = read_body(table, files);
+    body.units = typed_units(table.inputs());
+    return body;
 }
 
 }  // namespace overturn::cli

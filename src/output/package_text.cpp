@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/typed_units.hpp"
 #include "core/error.hpp"
 
 namespace overturn::output {
@@ -163,6 +164,7 @@ std::vector<std::string> hand_check_lines(CampaignSpec const& spec, std::span<Ha
             "overturning leaves the waves' {} component out, which is unsafe; sliding counts it: mu (1 - 0.4 A_v/g)",
             checks.front().left_out));
     }
+    auto const slip = typed_units(spec).slip;
     for (auto const& check : checks) {
         auto const level =
             fmt::format("{:.4g} {}", spec.levels.shown(check.overturning_level), spec.levels.shown_units());
@@ -173,8 +175,9 @@ std::vector<std::string> hand_check_lines(CampaignSpec const& spec, std::span<Ha
         if (check.sliding_m) {
             text += std::isinf(*check.sliding_m)
                         ? std::string("; vertical motion takes all of its friction at the design basis")
-                    : *check.sliding_m > 0 ? fmt::format("; slides {:.2g} m at the design basis", *check.sliding_m)
-                                           : std::string("; does not slide at the design basis");
+                    : *check.sliding_m > 0
+                        ? fmt::format("; slides {:.2g} {} at the design basis", *check.sliding_m / slip.si, slip.symbol)
+                        : std::string("; does not slide at the design basis");
         }
         lines.push_back(text);
     }

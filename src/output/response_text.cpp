@@ -78,9 +78,10 @@ Json json_of(OneResponse const& of) {
 std::string text_of(OneResponse const& of, ShownVelocity const& unit) {
     auto const& [spec, record, drift, r, selector, own] = of;
     auto const& b = spec.body;
-    auto text = fmt::format("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} m/s2, V_Ereq {}\n",
+    auto text = fmt::format("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} {}, V_Ereq {}\n",
                             spec.name, b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(),
-                            b.uplift_acceleration_mps2(), unit.text(b.limit_velocity_mps()));
+                            b.uplift_acceleration_mps2() / spec.units.acceleration.si, spec.units.acceleration.symbol,
+                            unit.text(b.limit_velocity_mps()));
     text += fmt::format("read as          {}\n", record.read_as());
     for (auto const& claim : record.claims) {
         if (claim.starts_with("left out: ")) {
@@ -103,7 +104,9 @@ std::string text_of(OneResponse const& of, ShownVelocity const& unit) {
     text += fmt::format("first uplift     {}, {} impacts\n", time_text(r.first_uplift_s), r.impacts);
     text += fmt::format("overturned       {}, off the ground {}\n", time_text(r.overturn_time_s),
                         time_text(r.contact_lost_s));
-    text += fmt::format("slip             {:.6g} m at most, {:.6g} m left\n", r.peak_slip_m, r.residual_slip_m);
+    auto const& slip = spec.units.slip;
+    text += fmt::format("slip             {:.6g} {} at most, {:.6g} {} at the end\n", r.peak_slip_m / slip.si,
+                        slip.symbol, r.residual_slip_m / slip.si, slip.symbol);
     text += fmt::format("friction demand  {}, least contact force {:.4f} m g\n",
                         std::isnan(r.friction_demand) ? "unknown" : fmt::format("{:.4f}", r.friction_demand),
                         r.min_contact_force_ratio);

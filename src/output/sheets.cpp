@@ -23,12 +23,38 @@ namespace {
 // What people look for first; further columns follow by name.
 constexpr std::array stripes_first{"amplitude", "level",     "purpose",     "trials", "overturned", "exceeded",
                                    "failed",    "undecided", "probability", "lower",  "upper"};
-constexpr std::array curves_first{
-    "measure", "units",        "measure_units", "label",       "title",       "state",
-    "median",  "median_lower", "median_upper",  "beta",        "beta_lower",  "beta_upper",
-    "beta_r",  "beta_u",       "hclpf",         "hclpf_lower", "hclpf_upper", "five_percent_point"};
+constexpr std::array curves_first{"measure",
+                                  "units",
+                                  "measure_units",
+                                  "label",
+                                  "title",
+                                  "state",
+                                  "median",
+                                  "median_lower",
+                                  "median_upper",
+                                  "beta",
+                                  "beta_lower",
+                                  "beta_upper",
+                                  "beta_r",
+                                  "beta_u",
+                                  "five_percent_point",
+                                  "five_percent_point_lower",
+                                  "five_percent_point_upper",
+                                  "hclpf",
+                                  "hclpf_lower",
+                                  "hclpf_upper",
+                                  "one_percent_point"};
 // Of a curve: shown in the unit of the levels too.
-constexpr std::array curves_stated{"median", "median_lower", "median_upper", "five_percent_point", "hclpf"};
+constexpr std::array curves_stated{"median",
+                                   "median_lower",
+                                   "median_upper",
+                                   "five_percent_point",
+                                   "five_percent_point_lower",
+                                   "five_percent_point_upper",
+                                   "hclpf",
+                                   "hclpf_lower",
+                                   "hclpf_upper",
+                                   "one_percent_point"};
 
 class Sheets {
   public:

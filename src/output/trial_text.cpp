@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/typed_units.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::output {
@@ -16,10 +17,13 @@ std::string trial_text(CampaignSpec const& spec, TrialRow const& row, std::int64
         return text + fmt::format("verdict {} ({})\n", entry_of(row.verdict).name, entry_of(row.failure).summary);
     }
     auto const when = std::isnan(row.time_of_peak_s) ? std::string() : fmt::format(" at {:.3f} s", row.time_of_peak_s);
+    auto const unit = typed_units(spec).slip;
+    auto const slip = row.peak_slip_m > 0 ? fmt::format("peak slip {:.4g} {}, ", row.peak_slip_m / unit.si, unit.symbol)
+                                          : std::string();
     return text
-           + fmt::format("verdict {}, peak rotation {:.6g} rad = {:.4g} deg ({:.4f} alpha){}, {} impacts\n",
+           + fmt::format("verdict {}, peak rotation {:.6g} rad = {:.4g} deg ({:.4f} alpha){}, {}{} impacts\n",
                          entry_of(row.verdict).name, row.peak_rotation_rad, row.peak_rotation_rad * 180 / pi,
-                         row.peak_rotation_ratio, when, row.impacts);
+                         row.peak_rotation_ratio, when, slip, row.impacts);
 }
 
 std::string trial_title(CampaignSpec const& spec, TrialRow const& row, std::int64_t trial, std::int64_t wave,

@@ -2,6 +2,8 @@
 // whatever was written.
 #include <algorithm>
 #include <cmath>
+#include <regex>
+#include <string>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -160,6 +162,8 @@ TEST_F(Units, EverythingIsReadInTheUnitsOfTheCampaign) {
         }
     };
     expect_all(ran.out, {"slip [in]", "R 49.", " in, e", " kine\n", "peak_slip in of the trials", "slip in\n"});
+    auto const by_hand = overturn(folder, {"fit", "c.h5", "--section", "hand"}).out;
+    EXPECT_TRUE(std::regex_search(by_hand, std::regex(";\\s+slides\\s+[0-9.]+\\s+in\\s+at"))) << by_hand;
     auto const pad = std::string("[[bodies]]\nname='crushed'\nmass='12.6 t'\nbase_width='1.36 m'\n")
                      + "centre_height='1.045 m'\ninertia='uniform-block'\npad={strength='4 ksi'}\n";
     folder.write("p.toml", campaign + fast + pad);
@@ -173,15 +177,29 @@ TEST_F(Units, EverythingIsReadInTheUnitsOfTheCampaign) {
     EXPECT_NEAR(body.at("stated").at("half_width").at("value").get<double>(), 53.5 / 2, 1e-9);
 
     // Histories and tables have SI, and behind it the units of the campaign.
-    ASSERT_EQ(overturn(folder, {"replay", "c.h5", "--trial", "1", "--history", "h.csv"}).code, 0);
+    auto const again = overturn(folder, {"replay", "c.h5", "--trial", "1", "--history", "h.csv"});
+    ASSERT_EQ(again.code, 0);
+    expect_all(again.out, {"peak slip ", " in, "});
+    folder.write("b.toml",
+                 "mass='27.8 kip'\nbase_width='53.5 in'\ncentre_height='41 in'\ninertia='uniform-block'\n"
+                 "friction=0.2\n");
+    std::string push = "time (s),acc (g)\n";
+    for (int i = 0; i < 100; ++i) {
+        push += fmt::format("{:.2f},{}\n", 0.01 * i, i > 0 && i < 50 ? 0.25 : 0);
+    }
+    folder.write("w.csv", push);
+    auto const rock = overturn(folder, {"rock", "--body", "b.toml", "--wave", "w.csv"});
+    EXPECT_NE(rock.out.find(" in at most, "), std::string::npos) << rock.out << rock.err;
     auto const history = folder.read("h.csv");
     EXPECT_NE(history.substr(0, history.find('\n')).find(",slip_m,slip_velocity_mps,slip [in],slip_velocity [kine]"),
               std::string::npos)
         << history.substr(0, history.find('\n'));
     ASSERT_EQ(overturn(folder, {"export", "c.h5", "--as", "csv"}).code, 0);
-    for (auto const& [file, titles] : {std::pair{"c.tables/trials.csv", "peak_slip [m],peak_slip [in],"},
-                                       {"c.tables/trials.csv", "v_resp [m/s],v_resp [kine],"},
-                                       {"c.tables/waves.csv", "pga [m/s2],pga [g],pgv [m/s],pgv [kine],"}}) {
+    for (auto const& [file, titles] :
+         {std::pair{"c.tables/trials.csv", "peak_slip [m],peak_slip [in],"},
+          {"c.tables/trials.csv", "v_resp [m/s],v_resp [kine],"},
+          {"c.tables/waves.csv", "pga [m/s2],pga [g],pgv [m/s],pgv [kine],"},
+          {"c.tables/curves.csv", "hclpf_lower [units],hclpf_lower [g],hclpf_upper [units],"}}) {
         EXPECT_NE(folder.read(file).find(titles), std::string::npos) << titles;
     }
 }

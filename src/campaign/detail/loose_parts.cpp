@@ -28,6 +28,8 @@ std::vector<std::string> loose_parts(BodySpec const& spec) {
     double const slides = spec.scatter.friction ? on_slope(spec.scatter.friction->highest(), body.slope_rad()) : tips;
     bool const whole_slides = slides < tips;
     double const whole = std::min(tips, slides);
+    auto const& mass = spec.units.mass;
+    auto const& length = spec.units.length;
     std::vector<std::string> lines;
     for (auto const& joint : joints_of(spec.parts)) {
         double const parts_at = on_slope(joint.parts_at(), body.slope_rad());
@@ -36,13 +38,14 @@ std::vector<std::string> loose_parts(BodySpec const& spec) {
         }
         lines.push_back(fmt::format(
             "{} {} at {:.3g} g on what {} on, before the whole {} at {:.3g} g (all parts are computed as one body). "
-            "State fastened = true there if nothing can move; else add a body of all above that joint: mass {:.4g} t, "
-            "base_width {:.4g} m, centre_height {:.4g} m",
+            "State fastened = true there if nothing can move; else add a body of all above that joint: mass {:.4g} {}, "
+            "base_width {:.4g} {}, centre_height {:.4g} {}",
             numbers(joint.parts),
             joint.parts.size() > 1 ? (joint.slides_first() ? "slide" : "tip")
                                    : (joint.slides_first() ? "slides" : "tips"),
             parts_at, joint.parts.size() > 1 ? "they stand" : "it stands", whole_slides ? "slides" : "tips", whole,
-            joint.mass_kg / 1000, 2 * joint.half_width_m, joint.centre_above_m));
+            joint.mass_kg / mass.si, mass.symbol, 2 * joint.half_width_m / length.si, length.symbol,
+            joint.centre_above_m / length.si, length.symbol));
     }
     for (auto const place : without_joint(spec.parts)) {
         lines.push_back(

@@ -1,13 +1,13 @@
 """What a report says of the limit states: overturning and those of the user's own, and how far bodies slide and rock."""
 
-from . import fragility_figures, grid_map
+from . import fragility_figures, grid_map, style
 from .page_parts import ends, escape, fold, high_of, in_pages, interval, low_of, paragraphs, table, value_of
 
 OVERTURNING = "overturning"  # the limit state that every campaign has
 MOST_PAIRS = 6  # of bodies, columns of a table
 MOST_OPEN_ROWS = 40  # of the stripes: longer tables scroll in a box
 QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
-RESPONSES = {"peak_slip": ("peak slip", "m"), "peak_rotation_ratio": ("peak rotation / α", "")}
+RESPONSES = {"peak_slip": ("peak slip", "slip"), "peak_rotation_ratio": ("peak rotation / α", "")}  # name, kind of unit
 
 
 def passed(limit):
@@ -151,17 +151,26 @@ def spread(row, key):
     return response(row, key) if ends == [None, None] else f"{response(row, key)} ({interval(ends, 3)})"
 
 
+def in_unit(row, kind):
+    """A row of percentiles with its lengths in the unit they are shown in."""
+    ends = [key + end for key, _ in QUANTILES for end in ("", "_lower", "_upper")] if kind else []
+    return {**row, **{key: None if row[key] is None else style.shown(kind, row[key]) for key in ends},
+            **({"units": style.unit(kind)} if kind else {})}
+
+
 def responses(report):
     """Median, 84 % and 95 % per level, drawn and as a table."""
     parts = []
     rows = report.fit["quantiles"]
     report.rows("quantiles", rows)
     for body in report.results.bodies:
-        for quantity, (name, unit) in RESPONSES.items():
-            mine = [q for q in rows if q["body"] == body.name and q["quantity"] == quantity]
+        for quantity, (name, kind) in RESPONSES.items():
+            unit = style.unit(kind) if kind else ""
+            mine = [in_unit(q, kind) for q in rows if q["body"] == body.name and q["quantity"] == quantity]
             if not any(q["p95"] or q["overturned"] for q in mine):
                 continue
-            limits_of_it = [limit for limit in report.fit["limit_states"] if limit.get("quantity") == quantity]
+            limits_of_it = [{**limit, "threshold": style.shown(kind, limit["threshold"]) if kind else limit["threshold"]}
+                            for limit in report.fit["limit_states"] if limit.get("quantity") == quantity]
             drawn = report.figure(f"{quantity.replace('_', '-')}-{body.name}",
                                   lambda path, mine=mine, of_it=limits_of_it: fragility_figures.responses(
                                       report.results, mine, of_it, path), f"{name} of {body.name} per level")
