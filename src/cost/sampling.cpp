@@ -108,33 +108,32 @@ Balance balance_of(Comparison const& defaults, double half_width, double confide
 
 std::string sentence_of(Balance const& balance, Comparison const& defaults, CampaignSpec const& spec,
                         std::int64_t stripes) {
-    auto const sampling = fmt::format("P(overturn) is known to +-{:.2g} from {} waves ({:g} %, mean of {} stripes)",
-                                      balance.sampling, spec.wave_count, 100 * spec.confidence, stripes);
-    auto const numerical =
-        balance.is_bound
-            ? fmt::format("none of {} verdicts flips against the reference, which bounds the numerical error by {:.2g}",
-                          defaults.trials, balance.numerical)
-            : fmt::format("{} of {} verdicts flip against the reference, a numerical error of {:.2g}",
-                          defaults.overturning_flips, defaults.trials, balance.numerical);
+    auto const differ =
+        fmt::format("{} of {} verdicts differ from the reference", defaults.overturning_flips, defaults.trials);
+    auto const numerical = fmt::format("numerical error of P(overturn) is {}{:.2g} ({})",
+                                       balance.is_bound ? "at most " : "", balance.numerical, differ);
     if (spec.is_grid()) {
-        return fmt::format("A grid of {} {} is no sample, so that there is no P(overturn) to be sampled; {}.",
-                           spec.wave_count, spec.wave_count == 1 ? "frequency" : "frequencies", numerical);
+        return fmt::format("The {}. A grid of {} {} is no sample, so no P(overturn) is estimated.", numerical,
+                           spec.wave_count, spec.wave_count == 1 ? "frequency" : "frequencies");
     }
+    auto const sampling = fmt::format("sampling error +-{:.2g} ({:g} %, {} waves, mean of {} stripes)",
+                                      balance.sampling, 100 * spec.confidence, spec.wave_count, stripes);
     switch (balance.dominates) {
         case Dominates::sampling:
             return fmt::format(
-                "Sampling decides: {}, while {}, {}{:.2g} times less. More waves make it more accurate, "
-                "finer steps do not.",
-                sampling, numerical, balance.is_bound ? "at least " : "", balance.factor);
+                "The accuracy of the settings suffices: {}, {}{:.2g} times below the {}. More waves make P "
+                "more accurate, finer steps do not.",
+                numerical, balance.is_bound ? "at least " : "", balance.factor, sampling);
         case Dominates::numerical:
             return fmt::format(
-                "Numerical error decides: {}, {:.2g} times what sampling leaves, since {}. Finer steps "
-                "make it more accurate, more waves do not.",
+                "The accuracy of the settings does not suffice: {}, {:.2g} times the {}. Finer steps make P "
+                "more accurate, more waves do not.",
                 numerical, balance.factor, sampling);
         case Dominates::unknown:
             break;
     }
-    return fmt::format("Undecided: {}, but {}, which is not smaller. Use more waves (--waves).", sampling, numerical);
+    return fmt::format("Not decided: {}, which is not below the {}. Use a larger sample (--waves).", numerical,
+                       sampling);
 }
 
 }  // namespace overturn::cost

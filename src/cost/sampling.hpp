@@ -46,7 +46,7 @@ struct Balance {
 /// \param defaults the campaign's own setting against the reference
 [[nodiscard]] Balance balance_of(Comparison const& defaults, double half_width, double confidence);
 
-/// The one sentence a user needs.
+/// Whether the accuracy of the campaign's settings suffices, and by how much.
 [[nodiscard]] std::string sentence_of(Balance const& balance, Comparison const& defaults, CampaignSpec const& spec,
                                       std::int64_t stripes);
 

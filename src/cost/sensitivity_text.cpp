@@ -1,9 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/wrapped.hpp"
 #include "cost/sensitivity.hpp"
 
 namespace overturn::cost {
@@ -51,6 +54,34 @@ bool moves_nothing(SensitivityRow const& row) {
         row.ends, [](auto const& end) { return end && end->flips() == 0 && end->median_ratio.value_or(1) == 1; });
 }
 
+// The significant change of a median that is the largest as a factor.
+std::string largest_effect(Sensitivity const& study) {
+    std::string text;
+    double most = 0;
+    for (auto const& row : study.rows) {
+        auto const& input = study.inputs[row.input];
+        for (std::size_t end = 0; end < input.ends.size(); ++end) {
+            auto const& shift = row.ends.at(end);
+            if (!shift || !shift->median_ratio || !shift->resolved()
+                || std::abs(std::log(*shift->median_ratio)) <= most) {
+                continue;
+            }
+            most = std::abs(std::log(*shift->median_ratio));
+            text = fmt::format("Largest effect: {} = {} instead of {} changes the median of {} ({}) by {} %",
+                               input.keys.front(), input.ends.at(end), input.value, study.bodies[row.body],
+                               study.limits[row.limit], percent(*shift->median_ratio));
+            auto const unmoved = std::ranges::find_if(
+                study.unmoved, [&](Unmoved const& one) { return one.body == row.body && one.limit == row.limit; });
+            text += study.design_basis && unmoved != study.unmoved.end()
+                        ? fmt::format("; P at the design basis is {} instead of {}", share_text(shift->at_design_basis),
+                                      share_text(unmoved->at_design_basis))
+                        : "";
+        }
+    }
+    return text.empty() ? fmt::format("No assumed value changes a median significantly ({} waves).", study.waves)
+                        : text + ".";
+}
+
 std::string at_level(Sensitivity const& study, double value) {
     return fmt::format("{:.4g} {}", value / study.shown_si, study.shown_units == "1" ? "" : study.shown_units);
 }
@@ -58,13 +89,18 @@ std::string at_level(Sensitivity const& study, double value) {
 }  // namespace
 
 std::string sensitivity_text(Sensitivity const& study) {
-    auto text = fmt::format(
-        "{}\neffect of assumed numbers, and of friction near tan(alpha): each is moved alone, to the ends of its range "
-        "or by {:.0f} %, under the same {} waves of {}\n"
-        "change of the median over {} with its {:g} % interval from resampled waves (*: significant; not identified: "
-        "too few waves exceed the limit); verdicts that changed (newly passed, no longer passed){}\n",
-        study.title, 100 * usual_share, study.waves, study.campaign_waves, study.measure, 100 * study.confidence,
-        study.design_basis ? "; P at the design basis (waves that changed it, exact p value)" : "");
+    auto text = study.title + "\n" + wrapped(largest_effect(study)) + "\n";
+    text +=
+        wrapped(fmt::format("Each assumed value, and each friction near tan(alpha), is changed alone: to the ends of "
+                            "its range, or by {:.0f} %. "
+                            "The waves stay the same: {} of {}.",
+                            100 * usual_share, study.waves, study.campaign_waves));
+    text += wrapped(fmt::format(
+        "Columns: value, changed value, change of the median over {} with its {:g} % interval by bootstrap over waves "
+        "(*: "
+        "significant; not identified: too few waves exceed the limit), verdicts newly passed and no longer passed{}.",
+        study.measure, 100 * study.confidence,
+        study.design_basis ? ", P at the design basis (waves that change it, exact p value)" : ""));
     for (auto const& unmoved : study.unmoved) {
         text += fmt::format("\n{}, {}: median {}", study.bodies[unmoved.body], study.limits[unmoved.limit],
                             unmoved.median ? at_level(study, *unmoved.median) : "-");
@@ -85,10 +121,10 @@ std::string sensitivity_text(Sensitivity const& study) {
                 append_row(text, study, row);
             }
         }
-        text += nothing.empty() ? "" : fmt::format("  no verdict changed by: {}\n", nothing);
+        text += nothing.empty() ? "" : wrapped("  No verdict changes with: " + nothing + ".", 4);
     }
     for (auto const& input : study.unvaried) {
-        text += fmt::format("not moved: {} = {} ({})\n", input.key, input.value, input.why);
+        text += wrapped(fmt::format("not changed: {} = {} ({})", input.key, input.value, input.why), 4);
     }
     if (study.inputs.empty()) {
         text += "No value is marked as assumed. Mark assumed values with basis = \"assumed\".\n";

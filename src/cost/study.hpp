@@ -50,7 +50,8 @@ struct Study {
     Sampling sampling;
     std::optional<RareCost> rare;  ///< where the campaign has rare events
     Balance balance;
-    std::string sentence;
+    std::string sentence;     ///< whether the accuracy suffices
+    std::string effect;       ///< which setting matters most, and by how much
     bool continuous = false;  ///< some base presses all along, without points
     bool is_grid = false;     ///< its waves are a grid and no sample: no results on sampling
 };
@@ -72,6 +73,10 @@ inline constexpr double noise = 0.15;
 
 /// A row as a point of its knob's map: time against the 95 % quantile of the error, at least `floor`.
 [[nodiscard]] Point point_of(Measured const& row, double floor);
+
+/// "Largest effect of a setting: effects = none changes 12 of 48 verdicts; the campaign's auto changes 0." The values
+/// tried are compared with the reference, knobs without verdicts left out.
+[[nodiscard]] std::string largest_effect(std::vector<KnobResult> const& knobs);
 
 /// "order 8 x 1 is on the front. Faster: order 6 x 1, 1.2 times, flips 0 of 960 verdicts, ..."
 [[nodiscard]] std::string advice_of(KnobResult const& result);

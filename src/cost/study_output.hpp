@@ -10,7 +10,7 @@
 
 namespace overturn::cost {
 
-/// All knobs, the number of waves, and the sentence, for the terminal.
+/// For the terminal: the answer, then every knob and the number of waves.
 [[nodiscard]] std::string study_text(Study const& study);
 
 /// Everything: the study in one row, rounding, knobs and the settings of each, what steps do, the number of waves (no

@@ -81,7 +81,8 @@ Table study_table(Study const& study) {
              if_sampled([](Study const& s) { return s.balance.sampling; }))
         .add("factor", "1", "the larger of the two over the smaller; at least that where the numerical one is a bound",
              if_sampled([](Study const& s) { return s.balance.factor; }))
-        .add("sentence", "1", "what that means", mem_fn(&Study::sentence));
+        .add("sentence", "1", "whether the accuracy of the settings suffices", mem_fn(&Study::sentence))
+        .add("largest_effect", "1", "which setting matters most, and by how much", mem_fn(&Study::effect));
     return table.take();
 }
 

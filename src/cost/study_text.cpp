@@ -1,7 +1,9 @@
 #include <cmath>
+#include <string>
 
 #include <fmt/format.h>
 
+#include "core/wrapped.hpp"
 #include "cost/study_output.hpp"
 
 namespace overturn::cost {
@@ -23,7 +25,7 @@ void append_knob(std::string& text, KnobResult const& result) {
     auto const& knob = result.knob;
     text += fmt::format("\n{}: {}\nerror: {}\n", knob.name, knob.title, knob.error);
     text += fmt::format("  {:<17} {:>11} {:>8} {:>8} {:>8} {:>14} {:>9} {:>8}\n", "", "CPU a " + knob.timed, "median",
-                        "95 %", "worst", "flips", "P error", "KS");
+                        "95 %", "worst", "changed", "P error", "KS");
     for (auto const& row : result.rows) {
         text += fmt::format("{}{} {:<17} {:>11} {:>8} {:>8} {:>8} {:>14} {:>9} {:>8}\n", row.here ? ">" : " ",
                             row.on_front ? "*" : " ", row.setting.label, seconds_text(row.seconds),
@@ -32,27 +34,27 @@ void append_knob(std::string& text, KnobResult const& result) {
                             std::isnan(row.probability_error) ? "-" : fmt::format("{:+.5f}", row.probability_error),
                             std::isnan(row.ks) ? "-" : fmt::format("{:.5f}", row.ks));
     }
-    text += result.advice + "\n";
+    text += wrapped(result.advice);
 }
 
 void append_step_error(std::string& text, StepError const& error) {
     text += fmt::format(
-        "\nquantities: half the step, and motions a last bit smaller\n"
-        "error: relative, of trials that end alike\n"
+        "\nquantities: effect of half the step, and of a motion one last bit smaller (chaos, not error)\n"
+        "error: relative, of trials with the same verdict\n"
         "  {:<26} {:>7} {:>8} {:>8} {:>8} {:>8}\n",
-        "", "trials", "median", "95 %", "bit", "95 %");
+        "", "trials", "median", "95 %", "last bit", "95 %");
     for (auto const& quantity : error.quantities) {
         text += fmt::format("  {:<26} {:>7} {:>8} {:>8} {:>8} {:>8}\n", quantity.name, quantity.step.count,
                             error_text(quantity.step.median), error_text(quantity.step.p95),
                             error_text(quantity.rounding.median), error_text(quantity.rounding.p95));
     }
-    text += fmt::format("Of 1000 trials half the step changes {:.3g} verdicts, a last bit {:.3g}.\n",
+    text += fmt::format("Verdicts that change, of 1000 trials: half the step {:.3g}, a last bit {:.3g}.\n",
                         error.step_flips_per_thousand(), error.rounding_flips_per_thousand());
 }
 
 void append_sampling(std::string& text, Study const& study) {
     text += fmt::format(
-        "\nwaves: how many\n"
+        "\nwaves: effect of their number\n"
         "error: width of the {:g} % Clopper-Pearson interval of P(overturn), mean of {} stripes\n"
         "  {:>6} {:>11} {:>8} {:>10}\n",
         100 * study.confidence, study.sampling.stripes, "waves", "CPU", "width", "1/sqrt(n)");
@@ -60,7 +62,7 @@ void append_sampling(std::string& text, Study const& study) {
         text += fmt::format("  {:>6} {:>11} {:>8.4f} {:>10.4f}\n", point.waves, seconds_text(point.seconds),
                             point.width, point.root_n_width);
     }
-    text += fmt::format("The campaign's {} waves leave {:.4f} and take {:.3g} s of one core.\n", study.campaign_waves,
+    text += fmt::format("Campaign: {} waves, width {:.4f}, {:.3g} s of CPU time.\n", study.campaign_waves,
                         2 * study.sampling.half_width, study.sampling.seconds);
 }
 
@@ -79,19 +81,21 @@ void append_rare(std::string& text, RareCost const& rare) {
 }  // namespace
 
 std::string study_text(Study const& study) {
-    auto text =
-        fmt::format("{}\nsample: {} of {} waves, {} of {} trials; reference {} a trial\n", study.title, study.waves,
-                    study.campaign_waves, study.trials, study.campaign_trials, seconds_text(study.reference_seconds));
+    auto text = study.title + "\n" + wrapped(study.sentence) + wrapped(study.effect) + "\n";
+    text += wrapped(fmt::format("sample: {} of {} waves, {} of {} trials; reference: {} per trial", study.waves,
+                                study.campaign_waves, study.trials, study.campaign_trials,
+                                seconds_text(study.reference_seconds)));
     auto const& rounding = study.rounding;
-    text += fmt::format(
-        "rounding alone: two references differ by {} (median), {} (95 %), {} (worst), and in {} of {} verdicts\n",
-        error_text(rounding.peak.median), error_text(rounding.peak.p95), error_text(rounding.peak.worst),
-        rounding.flips, rounding.trials);
-    text += "> where the campaign stands   * on the Pareto front: nothing is both faster and more accurate\n";
+    text +=
+        wrapped(fmt::format("rounding alone: two references differ by {} (median), {} (95 %), {} (worst), and in {} "
+                            "of {} verdicts",
+                            error_text(rounding.peak.median), error_text(rounding.peak.p95),
+                            error_text(rounding.peak.worst), rounding.flips, rounding.trials));
+    text += "> value of the campaign   * on the Pareto front: no other value is both faster and more accurate\n";
     append_step_error(text, study.step_error);
     if (study.continuous) {
         text +=
-            "\nA round base without points presses all along its rim or face: it has no number of points to choose.\n";
+            "\nA round base without points presses all along its rim or face: there is no number of points to vary.\n";
     }
     for (auto const& result : study.knobs) {
         append_knob(text, result);
@@ -102,7 +106,7 @@ std::string study_text(Study const& study) {
     if (study.rare) {
         append_rare(text, *study.rare);
     }
-    return text + "\n" + study.sentence + "\n";
+    return text;
 }
 
 }  // namespace overturn::cost

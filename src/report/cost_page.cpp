@@ -50,10 +50,10 @@ std::string section_of(Json const& knob, Json const& all_settings) {
     return fmt::format("<section id=\"{}\"><header><h2>{}</h2><p>{}</p></header>\n", text_at(knob, "knob"),
                        text_at(knob, "title"), text_at(knob, "advice"))
            + figure_of("knob", data)
-           + last_table("settings: " + text_at(knob, "title"),
-                        {"setting", "CPU a " + timed, "median", "95 %", "worst", "flips", "P error", "KS"}, rows,
-                        fmt::format("Error: {}. {} {}s behind every row.", text_at(knob, "error"),
-                                    count_at(knob, "samples"), timed));
+           + last_table(
+               "settings: " + text_at(knob, "title"),
+               {"setting", "CPU per " + timed, "median", "95 %", "worst", "changed", "P error", "KS"}, rows,
+               fmt::format("Error: {}. {} {}s per row.", text_at(knob, "error"), count_at(knob, "samples"), timed));
 }
 
 std::string step_section(Json const& study, Json const& quantities) {
@@ -63,15 +63,16 @@ std::string step_section(Json const& study, Json const& quantities) {
                            number_at(row, "step_median", short_form), number_at(row, "step_p95", short_form),
                            number_at(row, "last_bit_median", short_form), number_at(row, "last_bit_p95", short_form)});
     }
-    return "<section id=\"step-error\" style=\"grid-template-columns: minmax(0, 1fr)\"><header><h2>What the step does "
-           "to each quantity</h2></header>\n"
+    return "<section id=\"step-error\" style=\"grid-template-columns: minmax(0, 1fr)\"><header><h2>Effect of the step "
+           "on "
+           "each quantity</h2></header>\n"
            + last_table(
                "effect of the step",
                {"quantity", "trials", "half the step, median", "95 %", "last bit, median", "95 %"}, rows,
                fmt::format(
-                   "Relative differences in trials that end alike: at half the campaign's steps, and under "
-                   "motions that are a last bit smaller (this is chaos, not error). Of {} trials, half the step "
-                   "changes {} verdicts, a last bit {}.",
+                   "Relative differences in trials with the same verdict: with half the campaign's step, and under a "
+                   "motion one last bit smaller (chaos, not error). Verdicts that change, of {} trials: half the step "
+                   "{}, a last bit {}.",
                    count_at(study, "step_trials"), count_at(study, "step_flips"), count_at(study, "last_bit_flips")));
 }
 
@@ -88,7 +89,7 @@ std::string waves_section(Json const& study, Json const& parts) {
            + figure_of("waves", {{"study", study}, {"waves", parts}})
            + last_table("number of waves", {"waves", "CPU", "width", "1/&radic;n"}, rows,
                         fmt::format("Width of the {:g} % Clopper-Pearson interval of P(overturn), mean of {} stripes; "
-                                    "the campaign's own row is foretold from the sample.",
+                                    "the campaign's row is predicted from the sample.",
                                     100 * study.at("confidence").get<double>(), count_at(study, "stripes")));
 }
 
@@ -106,9 +107,9 @@ std::string rare_section(Json const& points) {
                text_at(rare, "body"), number_at(rare, "amplitude", "{:g}"),
                rare.at("probability").is_null() ? "" : number_at(rare, "probability", ", P = {:.2e}"))
            + figure_of("rare", points)
-           + last_table("rare events", {"method", "effort", "CPU", "waves", "c.o.v.", "remark"}, rows,
-                        "Crude Monte Carlo is foretold by the binomial law from what one wave takes; the others were "
-                        "run.");
+           + last_table(
+               "rare events", {"method", "effort", "CPU", "waves", "c.o.v.", "remark"}, rows,
+               "Crude Monte Carlo is predicted by the binomial law and the time of one wave; the others were run.");
 }
 
 }  // namespace
@@ -121,24 +122,22 @@ void check_page_name(std::filesystem::path const& output) {
 std::string cost_page(Json const& tables) {
     auto const& study = tables.at("study").at(0);
     auto const& rounding = tables.at("rounding").at(0);
-    auto page =
-        study_head("What accuracy costs", study) + "<p class=\"answer\">" + text_at(study, "sentence") + "</p>\n";
+    auto page = study_head("What accuracy costs", study) + "<p class=\"answer\">" + text_at(study, "sentence") + " "
+                + text_at(study, "largest_effect") + "</p>\n";
     bool const sampled = !tables.at("waves").empty();
     page += sampled ? "<div style=\"max-width:44rem\">" + figure_of("balance", study) + "</div>\n" : "";
     page += fmt::format(
-        "<p class=\"quiet\">{} trials of {} on {} waves, spread over the campaign. Every setting ran the same waves "
-        "and was "
-        "held against a reference of {} a trial; a second one, which differs in rounding only, is {} from it (95 %) "
-        "and flips "
-        "{} verdicts: nothing below that is resolved. Diamond: where the campaign stands. Full dots, dashed line: the "
-        "Pareto "
-        "front, where nothing is both faster and more accurate; differences within 15 % decide nothing. Dots are "
-        "the "
-        "95 % quantile of the error, bars reach from the median to the worst. A flip is a verdict other than the "
-        "reference's. Peak rotations are compared where the body rocks in both; rocking is chaotic near the boundary, "
-        "so "
-        "histories are not, and the Kolmogorov-Smirnov distance KS compares the distributions of peak rotation (one "
-        "trial moved by rounding makes it one over the number of trials). Point at a row to see the setting.</p>\n",
+        "<p class=\"quiet\">Sample: {} of {} trials, {} waves spread over the campaign. Every value of a setting runs "
+        "on "
+        "the same waves. Errors are differences from a reference of {} per trial. A second reference, which differs in "
+        "rounding alone, differs by {} (95 %) and in {} verdicts: smaller errors cannot be seen.</p>\n"
+        "<p class=\"quiet\">Figures: a diamond is the value of the campaign. Full dots on a dashed line are the Pareto "
+        "front: no other value is both faster and more accurate. Differences within 15 % are not counted. A dot is the "
+        "95 % quantile of the error; its bar reaches from the median to the worst.</p>\n"
+        "<p class=\"quiet\">Tables: peak rotations are compared where the body rocks in both. Rocking is chaotic near "
+        "overturning, so histories are not compared. KS is the Kolmogorov-Smirnov distance of the distributions of "
+        "peak "
+        "rotation; one trial changes it by 1/n. Point at a row to see the setting.</p>\n",
         count_at(study, "trials"), count_at(study, "campaign_trials"), count_at(study, "waves"),
         time_at(study, "reference_cpu_s"), number_at(rounding, "error_p95", short_form), count_at(rounding, "flips"));
     page += step_section(study, tables.at("step_error"));

@@ -83,7 +83,7 @@ std::string section_of_body(SensitivityJson const& tables, SensitivityJson const
         section += study_figure("sensitivity_figure.py", {{"rows", rows}, {"unmoved", unmoved}, {"study", study}},
                                 "sensitivity of " + text_at(unmoved, "body"));
     }
-    std::vector<std::string> headings{"input", "is", "moved to", "median", "verdicts"};
+    std::vector<std::string> headings{"input", "value", "changed to", "median", "verdicts"};
     if (has_design) {
         headings.emplace_back("P at the design basis");
     }
@@ -95,18 +95,19 @@ std::string section_of_body(SensitivityJson const& tables, SensitivityJson const
 
 std::string sensitivity_page(SensitivityJson const& tables) {
     auto const& study = tables.at("study").at(0);
-    auto page = study_head("What assumed numbers decide", study,
+    auto page = study_head("Effect of assumed values", study,
                            "section { grid-template-columns: minmax(0, 1fr); } figure { max-width: 44rem; }");
     page += fmt::format(
-        "<p class=\"quiet\">Each number that is said to be assumed is moved alone, to both ends of its range or by a "
-        "tenth, under the same {} waves of {}. Intervals ({:g} %) are of the change itself, from resampled waves that "
-        "both share; verdicts: newly passed and no longer passed, of those that both decide.</p>\n",
+        "<p class=\"quiet\">Each assumed value is changed alone: to both ends of its range, or by 10 %. The waves stay "
+        "the "
+        "same: {} of {}. Intervals ({:g} %) are of the change itself, by bootstrap over these waves. Verdicts: newly "
+        "passed and no longer passed, of trials that are decided in both.</p>\n",
         count_at(study, "waves"), count_at(study, "campaign_waves"), 100 * study.at("confidence").get<double>());
     for (std::size_t i = 0; i < tables.at("unmoved").size(); ++i) {
         page += section_of_body(tables, tables.at("unmoved").at(i), i);
     }
     for (auto const& input : tables.at("not_moved")) {
-        page += fmt::format("<p class=\"quiet\">Not moved: {} = {} ({}).</p>\n", text_at(input, "key"),
+        page += fmt::format("<p class=\"quiet\">Not changed: {} = {} ({}).</p>\n", text_at(input, "key"),
                             text_at(input, "value"), text_at(input, "why"));
     }
     return page + "</main></body></html>\n";

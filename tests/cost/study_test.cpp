@@ -97,6 +97,41 @@ TEST(Bench, SamplesAreSpreadOverTheCampaign) {
     EXPECT_EQ(spread_over(9, 2), (std::vector<std::int64_t>{0, 1}));
 }
 
+// the answer names the value that changes most verdicts; without any, the one of the largest error.
+TEST(Advice, NamesTheSettingThatMattersMost) {
+    auto const row = [](char const* label, double error, std::int64_t flips) {
+        Measured measured;
+        measured.setting.label = label;
+        measured.error.p95 = error;
+        measured.trials = 40;
+        measured.flips = flips;
+        return measured;
+    };
+    auto const knob = [](char const* name, std::optional<std::size_t> here, std::vector<Measured> rows) {
+        KnobResult result;
+        result.knob.name = name;
+        result.knob.here = here;
+        result.rows = std::move(rows);
+        return result;
+    };
+    auto effects = knob("effects", 1, {row("none", 0.1, 9), row("auto", 1e-9, 2)});
+    auto step = knob("contact_step", 0, {row("0.3", 0.2, 3), row("0.1", 0.01, 1)});
+    auto const unset = knob("periods", std::nullopt, {row("10", 1, 40)});  // no key sets it
+    EXPECT_EQ(largest_effect({effects, step, unset}),
+              "Largest effect of a setting: effects = none changes 9 of 40 verdicts; the campaign's auto changes 2.");
+    EXPECT_EQ(largest_effect({step}),
+              "Largest effect of a setting: contact_step = 0.3 changes 3 of 40 verdicts; it is the campaign's value.");
+    for (auto* result : {&effects, &step}) {
+        for (auto& each : result->rows) {
+            each.flips = 0;
+        }
+    }
+    EXPECT_EQ(largest_effect({effects, step}),
+              "No value of any setting changes a verdict (40 trials). Largest error: contact_step = 0.3, 95 % error "
+              "2.0e-01, 0 of 40 verdicts change.");
+    EXPECT_EQ(largest_effect({unset}), "");
+}
+
 class StudyOfThree : public ::testing::Test {
   protected:
     static Study const& study() {
@@ -172,7 +207,7 @@ TEST_F(StudyOfThree, RepeatsInAllButTimes) {
 
 //
 TEST_F(StudyOfThree, TellsOfBasesWithoutPoints) {
-    constexpr auto told = "it has no number of points to choose";
+    constexpr auto told = "there is no number of points to vary";
     EXPECT_EQ(study_text(study()).find(told), std::string::npos);
     auto const round =
         testing::quick_waves + testing::type_b + "base={shape='round'}\n" + testing::levels("values=[4]\n");

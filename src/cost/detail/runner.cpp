@@ -250,6 +250,7 @@ void Runner::conclude() {
     }
     study_.balance = balance_of(study_.defaults, study_.sampling.half_width, spec_.confidence);
     study_.is_grid = spec_.is_grid();
+    study_.effect = largest_effect(study_.knobs);
     study_.sentence = sentence_of(study_.balance, study_.defaults, spec_, study_.sampling.stripes);
 }
 

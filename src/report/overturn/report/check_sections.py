@@ -50,6 +50,6 @@ def add_sensitivity(report):
             data = {"rows": rows, "unmoved": unmoved, "study": study["study"][0]}
             parts.append(report.figure(f"sensitivity-{number}", lambda path, data=data: sensitivity_figure.draw(data, path),
                                        f"sensitivity of the median: {what}"))
-        parts.append(table(f"sensitivity: {what}", ["input", "is", "moved to", "median", "P at the design basis"],
+        parts.append(table(f"sensitivity: {what}", ["input", "value", "changed to", "median", "P at the design basis"],
                            map(moved_row, rows), kind="words sortable"))
     report.section("sensitivity", "Effect of assumed values", *parts)

@@ -84,7 +84,7 @@ def draw_knob(axes, knob):
     floor = knob["floor"]
     if floor > spread[:, 0].min() or floor > spread[:, 1].min():
         axes.axhspan(SMALLEST / 1e3, floor, color=PALE, alpha=0.45, lw=0, zorder=0)
-        axes.annotate("shaded: what rounding does", (0, 0), xycoords="axes fraction", xytext=(4, 4), zorder=1,
+        axes.annotate("shaded: effect of rounding", (0, 0), xycoords="axes fraction", xytext=(4, 4), zorder=1,
                       textcoords="offset points", ha="left", va="bottom", color=GREY, fontsize=7)
     front = sorted((row["cpu_s"], max(row["error_p95"], SMALLEST)) for row in rows if row["on_front"])
     axes.plot(*zip(*front), color=BLUE, lw=1.1, ls="--", zorder=3)
@@ -93,7 +93,7 @@ def draw_knob(axes, knob):
         colour = VERMILION if row["here"] else BLUE if row["on_front"] else GREY
         axes.plot(t, p95, "D" if row["here"] else "o", ms=6.5 if row["here"] else 5, color=colour, zorder=5,
                   mfc=colour if row["on_front"] or row["here"] else "white")
-        flips = f", {row['flips']} flip{'' if row['flips'] == 1 else 's'}" if row["flips"] else ""
+        flips = f", {row['flips']} verdict{'' if row['flips'] == 1 else 's'} changed" if row["flips"] else ""
         points.append((t, p95, row["setting"] + flips, 2 if row["here"] else 1 if row["on_front"] else 0))
     axes.set_yscale("log")
     axes.set_xscale("log")
@@ -136,14 +136,14 @@ def draw_rare(axes, points):
     looks = {"crude": (GREY, "o", "--"), "subset": (VERMILION, "s", "-"), "pulse-mixture": (BLUE, "D", "-")}
     known = [point for point in points if point["cov"]]
     if not known:
-        axes.text(0.5, 0.5, "nothing could be trusted: no scatter to show", ha="center", transform=axes.transAxes)
+        axes.text(0.5, 0.5, "no estimate was accepted", ha="center", transform=axes.transAxes)
         axes.set_axis_off()
         return
     for method, (colour, marker, line) in looks.items():
         own = sorted((p["cpu_s"], p["cov"]) for p in known if p["method"] == method)
         if own:
-            foretold = ", foretold" if method == "crude" else ""
-            axes.plot(*zip(*own), color=colour, marker=marker, ls=line, ms=5, lw=1, label=method + foretold)
+            predicted = ", predicted" if method == "crude" else ""
+            axes.plot(*zip(*own), color=colour, marker=marker, ls=line, ms=5, lw=1, label=method + predicted)
     axes.set_yscale("log")
     axes.set_xscale("log")
     axes.set_xlim(*widen([p["cpu_s"] for p in known], 0.1))

@@ -1,4 +1,4 @@
-"""What assumed numbers decide: for one body and limit state, how far each moves the median, largest first."""
+"""Effect of assumed values: for one body and limit state, how far each moves the median, largest first."""
 
 from . import style
 from .style import BLUE, GREY, INK, VERMILION
@@ -46,5 +46,5 @@ def draw(data, path):
     axes.grid(axis="y", visible=False)
     axes.margins(x=0.18)
     unit = "" if study["stated_unit"] == "1" else " " + study["stated_unit"]
-    axes.set_xlabel(f"% of {unmoved['median'] / study['stated_unit_si']:.4g}{unit}; hollow: not told from nothing by these waves")
+    axes.set_xlabel(f"% of {unmoved['median'] / study['stated_unit_si']:.4g}{unit}; hollow: not significant")
     style.save(figure, path)
