@@ -65,14 +65,17 @@ void check(FitOptions const& options) {
 }
 
 // Curves are fitted by the program that runs; those that the file holds may be another's.
+// \param fitted with the campaign's own settings, or null
 int print_refit(FitOptions const& options, store::ResultsReader const& file, CampaignSpec const& spec,
-                Statistics const& statistics) {
+                Statistics const& statistics, std::vector<BodyAnalysis> const* fitted) {
     if (output::is_of_this_program(file) && file.text("library_versions") == library_versions()) {
         return done;
     }
     constexpr double same = 1e-9;
     output::Difference largest;
-    auto const analysis = analyse(spec, statistics, {.confidence = spec.confidence});
+    auto const anew =
+        fitted == nullptr ? analyse(spec, statistics, {.confidence = spec.confidence}) : std::vector<BodyAnalysis>{};
+    auto const& analysis = fitted == nullptr ? anew : *fitted;
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         auto const& body = spec.bodies[b].name;
         for (std::size_t l = 0; l < spec.limits.size(); ++l) {
@@ -211,7 +214,8 @@ int fit_file(FitOptions const& options) {
     } else {
         print_fitted(all, spec, statistics, withheld, options.file, text);
     }
-    return print_refit(options, file, spec, statistics);
+    bool const own = all.confidence == spec.confidence && options.beta_u == 0;
+    return print_refit(options, file, spec, statistics, own ? &all.analysis : nullptr);
 }
 
 // Of what an unfinished run has committed: marked as such, whatever is printed.

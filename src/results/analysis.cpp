@@ -197,9 +197,9 @@ class Analyst {
         result.split = split_by_draws(spec_, b, trials, bootstrap_of(b));
         result.drawn = spec_.bodies[b].scattering();
         constexpr int rank_replicates = 200;
-        result.rank_area = rank_area(trials);
-        result.rank_interval =
-            middle_of(rank_area_replicates(trials, {spec_.seed, b, rank_replicates}), options_.confidence, {0, 1});
+        auto const rank = rank_area(trials, {spec_.seed, b, rank_replicates});
+        result.rank_area = rank.area;
+        result.rank_interval = middle_of(rank.replicates, options_.confidence, {0, 1});
         auto const request = request_of(b, limit, result.split);
         result.fit = levels ? over_levels(b, limit, std::move(trials), request)
                             : over_measure(b, limit, measure, std::move(trials), request);

@@ -29,15 +29,19 @@ void MeasuredTrials::add(WaveRow const& row, std::span<MeasureRow const> measure
 }
 
 void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
-    auto const wave = waves_.find(row.wave);
-    bool const full = trials_.size() >= most_trials_held && row.wave != trials_.back().wave();
-    if (full || wave == waves_.end()) {
-        passed_by_ += full ? 1 : 0;
+    bool const same = !trials_.empty() && row.wave == trials_.back().wave();
+    bool const full = trials_.size() >= most_trials_held && !same;
+    if (full) {
+        ++passed_by_;
+        return;
+    }
+    auto const wave = same ? waves_.end() : waves_.find(row.wave);
+    if (!same && wave == waves_.end()) {
         return;
     }
     auto const& verdict = entry_of(row.verdict);
     Measured trial{};
-    trial.of_wave = &*wave;
+    trial.of_wave = same ? trials_.back().of_wave : &*wave;
     trial.body = static_cast<std::int16_t>(row.body);
     trial.decided = verdict.decided;
     trial.limits = limits;

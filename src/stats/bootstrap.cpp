@@ -92,9 +92,9 @@ Bootstrap bootstrap_waves(std::span<SingleTrial const> trials, ProbitLine const&
     auto const centre = fit_probit(cells.points(), line).value_or(line);
     std::vector<Replicate> replicates;
     replicates.reserve(key.replicates);
+    WaveResamples resamples(cells, key, Purpose::bootstrap);
     for (int r = 0; r < key.replicates; ++r) {
-        RandomStream stream(key.seed, r, Purpose::bootstrap, key.stream);
-        replicates.push_back(refit(cells.draw(stream), centre));
+        replicates.push_back(refit(resamples.points(r), centre));
     }
     return {std::move(replicates), line, centre};
 }

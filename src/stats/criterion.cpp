@@ -1,8 +1,10 @@
 #include "stats/criterion.hpp"
 
 #include <algorithm>
-#include <map>
+#include <cmath>
+#include <limits>
 
+#include "stats/detail/wave_numbers.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {
@@ -23,25 +25,32 @@ std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios) {
 CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence, std::int64_t alike) {
     CriterionStudy study;
     std::vector<double> overturned;
-    std::map<std::int64_t, double> first, highest;
-    std::map<std::int64_t, bool> safe_wave_fell, uplifted_wave_fell;
+    constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    struct Wave {
+        double lowest_fall = none, highest_stand = none;
+        bool said_safe = false, safe_fell = false, said_uplifted = false, uplifted_fell = false;
+    };
+    auto const numbers = numbers_of_waves(trials);
+    std::vector<Wave> waves(numbers.waves);
     std::int64_t uplifted = 0;
-    for (auto const& trial : trials) {
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        auto const& trial = trials[i];
+        auto& wave = waves[numbers.of_trial[i]];
         study.counts.add(trial.said_safe(), trial.overturned);
         if (trial.said_safe()) {
-            safe_wave_fell[trial.wave] |= trial.overturned;
+            wave.said_safe = true;
+            wave.safe_fell = wave.safe_fell || trial.overturned;
             if (trial.uplifted || trial.overturned) {
                 ++uplifted;
-                uplifted_wave_fell[trial.wave] |= trial.overturned;
+                wave.said_uplifted = true;
+                wave.uplifted_fell = wave.uplifted_fell || trial.overturned;
             }
         }
         if (trial.overturned) {
             overturned.push_back(trial.ratio);
-            auto& lowest = first.emplace(trial.wave, trial.ratio).first->second;
-            lowest = std::min(lowest, trial.ratio);
+            wave.lowest_fall = std::fmin(wave.lowest_fall, trial.ratio);
         } else {
-            auto& most = highest.emplace(trial.wave, trial.ratio).first->second;
-            most = std::max(most, trial.ratio);
+            wave.highest_stand = std::fmax(wave.highest_stand, trial.ratio);
         }
     }
     auto const& c = study.counts;
@@ -50,23 +59,24 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
     study.unsafe_but_stood = share_of(c.false_alarm, c.false_alarm + c.true_overturn, confidence, alike);
     study.stood_said_unsafe = share_of(c.false_alarm, c.false_alarm + c.true_safe, confidence, alike);
     study.safe_uplifted_but_overturned = share_of(c.false_safe, uplifted, confidence, alike);
-    auto const by_waves = [&](std::map<std::int64_t, bool> const& waves) {
-        auto const fell = std::count_if(waves.begin(), waves.end(), [](auto const& w) { return w.second; });
-        return share_of(fell, waves.size(), confidence, alike);
+    auto const by_waves = [&](bool Wave::*said, bool Wave::*fell) {
+        return share_of(std::ranges::count(waves, true, fell), std::ranges::count(waves, true, said), confidence,
+                        alike);
     };
-    study.waves_safe_but_overturned = by_waves(safe_wave_fell);
-    study.waves_safe_uplifted_but_overturned = by_waves(uplifted_wave_fell);
-    auto const values = [](std::map<std::int64_t, double> const& of_waves) {
+    study.waves_safe_but_overturned = by_waves(&Wave::said_safe, &Wave::safe_fell);
+    study.waves_safe_uplifted_but_overturned = by_waves(&Wave::said_uplifted, &Wave::uplifted_fell);
+    auto const values = [&](double Wave::*ratio) {
         std::vector<double> list;
-        list.reserve(of_waves.size());
-        for (auto const& [wave, ratio] : of_waves) {
-            list.push_back(ratio);
+        for (auto const& wave : waves) {
+            if (!std::isnan(wave.*ratio)) {
+                list.push_back(wave.*ratio);
+            }
         }
         return list;
     };
     study.at_overturning = ratio_quantiles(std::move(overturned));
-    study.first_overturning = ratio_quantiles(values(first));
-    study.highest_standing = ratio_quantiles(values(highest));
+    study.first_overturning = ratio_quantiles(values(&Wave::lowest_fall));
+    study.highest_standing = ratio_quantiles(values(&Wave::highest_stand));
     return study;
 }
 

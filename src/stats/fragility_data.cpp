@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <optional>
+#include <unordered_set>
 
 #include "core/error.hpp"
 #include "stats/detail/extended_real.hpp"
+#include "stats/detail/rising_order.hpp"
 
 namespace overturn {
 namespace {
@@ -40,6 +44,79 @@ Ends ends_of(std::span<FragilityPoint const> points) {
     return ends;
 }
 
+// The values, rising, where they are no more than `most`.
+std::optional<std::vector<double>> distinct_values(std::span<double const> values, std::size_t most) {
+    std::unordered_set<double> found;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (i == 0 || values[i] != values[i - 1]) {
+            found.insert(values[i]);
+        }
+        if (found.size() > most) {
+            return std::nullopt;
+        }
+    }
+    std::vector<double> rising(found.begin(), found.end());
+    std::ranges::sort(rising);
+    return rising;
+}
+
+// A cell for each value.
+Cells cells_of_values(std::span<SingleTrial const> trials, std::span<double const> logs,
+                      std::span<double const> values) {
+    Cells cells;
+    cells.cell_of_trial.reserve(trials.size());
+    for (double const value : values) {
+        cells.points.push_back({value, 0, 0, 0});
+    }
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        bool const again = i > 0 && logs[i] == logs[i - 1];
+        auto const cell = again ? cells.cell_of_trial.back()
+                                : static_cast<std::size_t>(std::ranges::lower_bound(values, logs[i]) - values.begin());
+        cells.cell_of_trial.push_back(cell);
+        cells.points[cell].trials += 1;
+        cells.points[cell].overturned += trials[i].overturned ? 1 : 0;
+    }
+    return cells;
+}
+
+// Cells of equal width, those without a trial left out. Means are of the trials in rising order, to the last bit.
+Cells cells_of_width(std::span<SingleTrial const> trials, std::vector<double> const& logs, std::size_t most) {
+    auto const [least, greatest] = std::ranges::minmax(logs);
+    double const low = least;
+    double const width = (greatest - low) / static_cast<double>(most);
+    auto const cell_of = [&](double log) {
+        return static_cast<std::size_t>(std::min(std::floor((log - low) / width), static_cast<double>(most - 1)));
+    };
+    Cells cells;
+    cells.cell_of_trial.reserve(trials.size());
+    std::vector<double> overturned(most);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        cells.cell_of_trial.push_back(cell_of(logs[i]));
+        overturned[cells.cell_of_trial.back()] += trials[i].overturned ? 1 : 0;
+    }
+    auto rising = logs;
+    sort_rising(rising, std::identity());
+    std::vector<std::size_t> place(most);
+    std::size_t last = most;
+    for (double const log : rising) {
+        if (auto const cell = cell_of(log); cell != last) {
+            last = cell;
+            place[cell] = cells.points.size();
+            cells.points.emplace_back();
+        }
+        add(cells.points.back(), {log, 1, 0, 0});
+    }
+    for (std::size_t cell = 0; cell < most; ++cell) {
+        if (overturned[cell] > 0) {
+            cells.points[place[cell]].overturned = overturned[cell];
+        }
+    }
+    for (auto& cell : cells.cell_of_trial) {
+        cell = place[cell];
+    }
+    return cells;
+}
+
 }  // namespace
 
 std::vector<FragilityPoint> points_of(std::span<Stripe const> stripes) {
@@ -66,29 +143,8 @@ Cells cells_of(std::span<SingleTrial const> trials, std::size_t most) {
         OVERTURN_EXPECT(trial.intensity > 0);
         logs.push_back(std::log(trial.intensity));
     }
-    std::vector<std::size_t> order(trials.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return logs[a] < logs[b]; });
-    std::size_t distinct = 0;
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        distinct += i == 0 || logs[order[i]] > logs[order[i - 1]] ? 1 : 0;
-    }
-    double const low = order.empty() ? 0 : logs[order.front()];
-    double const width = order.empty() ? 0 : (logs[order.back()] - low) / static_cast<double>(most);
-    auto const cell = [&](std::size_t i) {
-        return distinct <= most ? logs[i]
-                                : std::min(std::floor((logs[i] - low) / width), static_cast<double>(most - 1));
-    };
-    Cells cells;
-    cells.cell_of_trial.resize(trials.size());
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        if (i == 0 || cell(order[i]) > cell(order[i - 1])) {
-            cells.points.emplace_back();
-        }
-        add(cells.points.back(), {logs[order[i]], 1, trials[order[i]].overturned ? 1.0 : 0.0, 0});
-        cells.cell_of_trial[order[i]] = cells.points.size() - 1;
-    }
-    return cells;
+    auto const distinct = distinct_values(logs, most);
+    return distinct ? cells_of_values(trials, logs, *distinct) : cells_of_width(trials, logs, most);
 }
 
 std::vector<FragilityPoint> points_of(std::span<SingleTrial const> trials, std::size_t most) {

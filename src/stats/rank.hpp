@@ -13,8 +13,12 @@ namespace overturn {
 [[nodiscard]] double rank_area(std::span<SingleTrial const> trials);
 [[nodiscard]] double rank_area(std::span<FragilityPoint const> points);
 
-/// rank_area of the data with waves resampled; replicates of one key drew the same waves, so that measures on the same
-/// trials can be compared replicate by replicate. NaN where a replicate lacks one kind.
-[[nodiscard]] std::vector<double> rank_area_replicates(std::span<SingleTrial const> trials, BootstrapKey const& key);
+/// rank_area, and the same of the data with waves resampled; replicates of one key drew the same waves, so that
+/// measures on the same trials can be compared replicate by replicate. NaN where a replicate lacks one kind.
+struct ResampledRank {
+    double area = 0;
+    std::vector<double> replicates;
+};
+[[nodiscard]] ResampledRank rank_area(std::span<SingleTrial const> trials, BootstrapKey const& key);
 
 }  // namespace overturn

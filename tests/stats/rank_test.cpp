@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <vector>
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_rng.h>
 #include <gtest/gtest.h>
 
+#include "core/random_stream.hpp"
 #include "stats/quantile.hpp"
 #include "support/tolerance.hpp"
 
@@ -49,8 +52,9 @@ TEST(RankArea, KnowsOrderOnly) {
     }
     EXPECT_EQ(rank_area(bent), rank_area(some));
     // One key draws the same waves; some draws lack one kind of outcome in both.
-    auto const drawn = rank_area_replicates(some, {5, 0, 50});
-    auto const bent_drawn = rank_area_replicates(bent, {5, 0, 50});
+    auto const drawn = rank_area(some, {5, 0, 50}).replicates;
+    auto const bent_drawn = rank_area(bent, {5, 0, 50}).replicates;
+    ASSERT_EQ(drawn.size(), 50U);
     for (std::size_t r = 0; r < drawn.size(); ++r) {
         EXPECT_TRUE(drawn[r] == bent_drawn[r] || (std::isnan(drawn[r]) && std::isnan(bent_drawn[r]))) << r;
     }
@@ -62,8 +66,36 @@ TEST(RankArea, ResamplesWaves) {
     for (auto& trial : one) {
         trial.wave = 7;
     }
-    for (double const area : rank_area_replicates(one, {5, 0, 10})) {
+    for (double const area : rank_area(one, {5, 0, 10}).replicates) {
         EXPECT_EQ(area, rank_area(one));
+    }
+}
+
+/// Replicates are the pairs of as many waves drawn anew, each with all its trials.
+TEST(RankArea, ReplicatesCountPairsOfDrawnWaves) {
+    RandomStream stream(3, 0, Purpose::body_scatter, 0);
+    for (int const waves : {1, 7, 60}) {
+        std::vector<SingleTrial> trials;
+        for (int w = 0; w < waves; ++w) {
+            for (int i = 0; i < 8; ++i) {
+                double const x = 1 + std::floor(20 * gsl_rng_uniform(stream.gsl())) / 4;
+                trials.push_back({x, (11 * w) % waves, gsl_rng_uniform(stream.gsl()) < (x - 1.5) / 3, w});
+            }
+        }
+        auto const drawn = rank_area(trials, {9, 2, 37}).replicates;
+        ASSERT_EQ(drawn.size(), 37U);
+        for (std::size_t r = 0; r < drawn.size(); ++r) {
+            RandomStream draws(9, r, Purpose::bootstrap, 2);
+            std::vector<SingleTrial> again;
+            for (int draw = 0; draw < waves; ++draw) {
+                auto const wave =
+                    static_cast<std::int64_t>(gsl_rng_uniform_int(draws.gsl(), static_cast<unsigned long>(waves)));
+                std::ranges::copy_if(trials, std::back_inserter(again),
+                                     [&](SingleTrial const& trial) { return trial.wave == wave; });
+            }
+            double const counted = counted_in_pairs(again);
+            EXPECT_TRUE(drawn[r] == counted || (std::isnan(drawn[r]) && std::isnan(counted))) << r;
+        }
     }
 }
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <map>
 #include <vector>
 
 #include "stats/detail/quotes.hpp"
+#include "stats/detail/wave_numbers.hpp"
 
 namespace overturn {
 namespace {
@@ -43,13 +44,15 @@ std::optional<SeenBound> stripes_up_to(double log_intensity, std::span<Fragility
 
 // Of the trials of one wave, the weakest one: they count as one. \param fallen any of them counts, else all must
 SeenBound seen_by_waves(std::span<SingleTrial const> trials, bool fallen, double confidence) {
-    std::map<std::int64_t, bool> waves;
-    for (auto const& trial : trials) {
-        auto& wave = waves.try_emplace(trial.wave, !fallen).first->second;
-        wave = fallen ? wave || trial.overturned : wave && trial.overturned;
+    auto const waves = numbers_of_waves(trials);
+    std::vector<char> has_passed(waves.waves, fallen ? 0 : 1);
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        if (trials[i].overturned == fallen) {
+            has_passed[waves.of_trial[i]] = fallen ? 1 : 0;
+        }
     }
-    auto const passed = std::ranges::count_if(waves, [](auto const& wave) { return wave.second; });
-    std::int64_t const units = waves.size();
+    auto const passed = std::ranges::count(has_passed, 1);
+    std::int64_t const units = waves.waves;
     auto const [lowest, highest] = std::ranges::minmax(trials, {}, &SingleTrial::intensity);
     return {lowest.intensity,
             highest.intensity,
@@ -63,19 +66,30 @@ SeenBound seen_by_waves(std::span<SingleTrial const> trials, bool fallen, double
 // The nearest tenth of the trials on one side.
 std::optional<SeenBound> nearest_tenth(double intensity, FragilityData const& data, bool above, double confidence) {
     constexpr std::size_t shares = 10;
-    std::vector<SingleTrial> there;
-    std::ranges::copy_if(data.trials, std::back_inserter(there), [&](SingleTrial const& trial) {
-        return above ? trial.intensity >= intensity * (1 - same_intensity)
-                     : trial.intensity <= intensity * (1 + same_intensity);
-    });
+    struct Distance {  // beyond the intensity; of equally far ones the first
+        double intensity;
+        std::size_t trial;
+        auto operator<=>(Distance const&) const = default;
+    };
+    std::vector<Distance> there;
+    for (std::size_t i = 0; i < data.trials.size(); ++i) {
+        double const x = data.trials[i].intensity;
+        if (above ? x >= intensity * (1 - same_intensity) : x <= intensity * (1 + same_intensity)) {
+            there.push_back({above ? x : -x, i});
+        }
+    }
     if (there.empty()) {
         return std::nullopt;
     }
-    std::ranges::stable_sort(there, [&](SingleTrial const& a, SingleTrial const& b) {
-        return above ? a.intensity < b.intensity : a.intensity > b.intensity;
-    });
-    there.resize(std::min(there.size(), std::max<std::size_t>(1, data.trials.size() / shares)));
-    return seen_by_waves(there, above, confidence);
+    auto const share = std::min(there.size(), std::max<std::size_t>(1, data.trials.size() / shares));
+    std::ranges::nth_element(there, there.begin() + static_cast<std::ptrdiff_t>(share - 1));
+    there.resize(share);
+    std::ranges::sort(there, {}, &Distance::trial);
+    std::vector<SingleTrial> nearest;
+    nearest.reserve(share);
+    std::ranges::transform(there, std::back_inserter(nearest),
+                           [&](Distance const& one) { return data.trials[one.trial]; });
+    return seen_by_waves(nearest, above, confidence);
 }
 
 }  // namespace

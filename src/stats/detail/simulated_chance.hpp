@@ -9,10 +9,10 @@
 
 namespace overturn {
 
-/// \param draw(stream) the statistic of one draw from the null hypothesis; nothing: this draw says nothing of it
+/// \param draw(number) the statistic of that draw from the null hypothesis; nothing: it says nothing of it
 /// \param enough draws as large as that end the search (Besag & Clifford 1991, Biometrika 78(2))
 template <class Draw>
-[[nodiscard]] double simulated_chance(double found, BootstrapKey const& key, int enough, Draw const& draw) {
+[[nodiscard]] double chance_of_draws(double found, BootstrapKey const& key, int enough, Draw const& draw) {
     constexpr int least = 199;
     constexpr int most = 999;
     constexpr double rounding = 1e-9;
@@ -20,8 +20,7 @@ template <class Draw>
     int counted = 0;
     int larger = 0;
     for (int r = 0; r < draws; ++r) {
-        RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::shape_test, key.stream);
-        std::optional<double> const drawn = draw(stream);
+        std::optional<double> const drawn = draw(r);
         if (!drawn) {
             continue;
         }
@@ -32,6 +31,15 @@ template <class Draw>
         }
     }
     return (larger + 1.0) / (counted + 1.0);
+}
+
+/// The same, each draw(stream) from a stream of its own.
+template <class Draw>
+[[nodiscard]] double simulated_chance(double found, BootstrapKey const& key, int enough, Draw const& draw) {
+    return chance_of_draws(found, key, enough, [&](int r) {
+        RandomStream stream(key.seed, static_cast<std::uint64_t>(r), Purpose::shape_test, key.stream);
+        return draw(stream);
+    });
 }
 
 }  // namespace overturn

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <iterator>
-#include <set>
+#include <vector>
 
 #include "stats/detail/quotes.hpp"
 #include "stats/detail/seen_bound.hpp"
@@ -17,13 +17,15 @@ std::vector<FragilityPoint> proportions_of(FragilityData const& data) {
 }
 
 std::int64_t waves_of(std::span<SingleTrial const> trials, double from, double to) {
-    std::set<std::int64_t> waves;
+    std::vector<std::int64_t> waves;
     for (auto const& trial : trials) {
-        if (trial.intensity >= from && trial.intensity <= to) {
-            waves.insert(trial.wave);
+        bool const there = trial.intensity >= from && trial.intensity <= to;
+        if (there && (waves.empty() || waves.back() != trial.wave)) {
+            waves.push_back(trial.wave);
         }
     }
-    return waves.size();
+    std::ranges::sort(waves);
+    return std::unique(waves.begin(), waves.end()) - waves.begin();
 }
 
 SeenBound tail_bound(FragilityData const& data, FragilityState state, double confidence) {

@@ -101,8 +101,8 @@ WaveShapeTests::WaveShapeTests(std::span<SingleTrial const> trials, std::optiona
     }
 }
 
-std::vector<FragilityPoint> WaveShapeTests::draw(RandomStream& stream) const {
-    auto drawn = cells_.draw(stream);
+std::vector<FragilityPoint> WaveShapeTests::draw(WaveResamples& resamples, int number) const {
+    auto drawn = resamples.points(number);
     for (std::size_t i = 0; i < drawn.size(); ++i) {
         drawn[i] = drawn[i].trials > 0 ? drawn[i] : points_[i];
     }
@@ -113,8 +113,9 @@ double WaveShapeTests::monotone_chance() const {
     auto const rising = rising_of(points_);
     auto const waves = static_cast<double>(cells_.waves());
     double const wider = std::sqrt(waves / std::max(1.0, waves - 1));
-    return simulated_chance(fall_of(points_), key_, enough, [&](RandomStream& stream) {
-        auto moved = draw(stream);
+    WaveResamples resamples(cells_, key_, Purpose::shape_test);
+    return chance_of_draws(fall_of(points_), key_, enough, [&](int number) {
+        auto moved = draw(resamples, number);
         for (std::size_t i = 0; i < moved.size(); ++i) {
             double const p = rising[i] + wider * (moved[i].probability() - points_[i].probability());
             moved[i].trials = points_[i].trials;
@@ -136,19 +137,19 @@ double WaveShapeTests::misfit_chance() const {
     }
     auto const found = residuals_of(points_, *line_);
     double const wider = std::sqrt(waves / std::max(1.0, waves - 1));
-    return simulated_chance(
-        pearson_of(found, points_, pools), key_, enough, [&](RandomStream& stream) -> std::optional<double> {
-            auto const drawn = draw(stream);
-            auto const line = state_of(drawn) == FragilityState::fitted ? fit_probit(drawn, *line_) : std::nullopt;
-            if (!line || !(line->slope > 0)) {
-                return std::nullopt;
-            }
-            auto off = residuals_of(drawn, *line);
-            for (std::size_t i = 0; i < off.size(); ++i) {
-                off[i] = wider * (off[i] - found[i]);
-            }
-            return pearson_of(off, points_, pools);
-        });
+    WaveResamples resamples(cells_, key_, Purpose::shape_test);
+    return chance_of_draws(pearson_of(found, points_, pools), key_, enough, [&](int number) -> std::optional<double> {
+        auto const drawn = draw(resamples, number);
+        auto const line = state_of(drawn) == FragilityState::fitted ? fit_probit(drawn, *line_) : std::nullopt;
+        if (!line || !(line->slope > 0)) {
+            return std::nullopt;
+        }
+        auto off = residuals_of(drawn, *line);
+        for (std::size_t i = 0; i < off.size(); ++i) {
+            off[i] = wider * (off[i] - found[i]);
+        }
+        return pearson_of(off, points_, pools);
+    });
 }
 
 }  // namespace overturn

@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "core/random_stream.hpp"
 #include "stats/bootstrap.hpp"
 #include "stats/detail/wave_cells.hpp"
 #include "stats/fragility_data.hpp"
@@ -27,7 +26,7 @@ class WaveShapeTests {
 
   private:
     /// The waves drawn anew; their number stays. Intensities at which a draw holds none keep the data's own proportion.
-    [[nodiscard]] std::vector<FragilityPoint> draw(RandomStream& stream) const;
+    [[nodiscard]] std::vector<FragilityPoint> draw(WaveResamples& resamples, int number) const;
 
     WaveCells cells_;
     std::vector<FragilityPoint> points_;
