@@ -43,7 +43,8 @@ template <auto Member> void add_match(Fields& fields, std::string const& compone
     add("lowest_period", "s", "where it is lowest:", offset_of<&C::lowest_period_s>());
     add("highest_ratio", "1", "max of computed / target", offset_of<&C::highest_ratio>());
     add("highest_period", "s", "where it is highest:", offset_of<&C::highest_period_s>());
-    add("longest_below", "1", "most adjacent periods below the target, 100 a decade,", offset_of<&C::longest_below>());
+    add("longest_below", "1", "largest number of adjacent periods below the target, 100 per decade,",
+        offset_of<&C::longest_below>());
     add("longest_below_to", "s", "the longest of these periods", offset_of<&C::longest_below_to_s>());
     add("si_ratio", "1", "spectral intensity over that of the target", offset_of<&C::si_ratio>());
     add("ratio_cov", "1", "coefficient of variation of computed / target", offset_of<&C::ratio_cov>());
@@ -64,7 +65,7 @@ Fields fields_of_waves() {
     Fields fields{
         field<&W::id>("id", "1", "identity of the wave in every random stream").always(),
         field<&W::failed>("failed", "1", "1: the wave could not be made").always(),
-        field<&W::duration_s>("duration", "s", "from the first to the last sample"),
+        field<&W::duration_s>("duration", "s", "time from the first to the last sample"),
         field<&W::pga_mps2>("pga", "m/s2", "peak horizontal acceleration"),
         field<&W::pgv_mps>("pgv", "m/s", "peak horizontal velocity"),
         field<&W::pgd_m>("pgd", "m", "peak horizontal displacement"),
@@ -92,7 +93,7 @@ Fields fields_of_waves() {
         field<&W::match_longest_below_to_s>("match_longest_below_to", "s",
                                             "longest of the adjacent periods below the target"),
         field<&W::match_longest_below>("match_longest_below", "1",
-                                       "most adjacent periods below the target, 100 a decade"),
+                                       "largest number of adjacent periods below the target, 100 per decade"),
         field<&W::match_worst_decade>("match_worst_decade", "1", "largest mean misfit over any decade of periods"),
         field<&W::si_ratio>("si_ratio", "1",
                             "spectral intensity over that of the target, 0.1 s to 2.5 s; NaN: not covered"),
@@ -127,7 +128,7 @@ Fields fields_of_waves() {
                                        "those of them that the transverse component's spectrum does not meet"),
         field<&W::vertical_failures>("vertical_failures", "1",
                                      "those of them that the vertical component's spectrum does not meet"),
-        field<&W::target>("target", "1", "number of the drawn target: waves that share one are alike"),
+        field<&W::target>("target", "1", "number of the drawn target; several waves may share it"),
         field<&W::event>("event", "1", "number of the event whose between-event term the wave's target uses"),
         field<&W::sa_average_mps2>("sa_average", "m/s2",
                                    "geometric mean of the pseudo-acceleration spectrum over measures.sa_band")};
@@ -161,7 +162,7 @@ template <> Fields const& fields_of<MeasureRow>() {
     static Fields const fields{
         field<&M::ou_v_e_mps>("ou_v_e", "m/s", "Akiyama's ouV_E of the unscaled wave"),
         field<&M::v_wes_max_mps>("v_wes", "m/s", "max over time of the unscaled wave's window energy spectrum"),
-        field<&M::v_wes_time_s>("v_wes_time", "s", "when that maximum is reached"),
+        field<&M::v_wes_time_s>("v_wes_time", "s", "time of this maximum"),
         field<&M::band_mean_misfit>("band_mean_misfit", "1", "mean |computed / target - 1| over [T0, T1] of the body"),
         field<&M::band_max_misfit>("band_max_misfit", "1", "max of it over [T0, T1]"),
         field<&M::band_mean_ratio>("band_mean_ratio", "1", "mean of computed / target over [T0, T1]"),

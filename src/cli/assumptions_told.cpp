@@ -58,7 +58,7 @@ Json input_json(InputValue const& input) {
 }  // namespace
 
 std::string model_assumptions_text() {
-    std::string text = "what the model assumes (unsafe: where it does not hold, more overturns than is computed)\n";
+    std::string text = "assumptions of the model (unsafe: if it is false, more bodies overturn than computed)\n";
     for (auto const& one : model_assumptions()) {
         text += fmt::format("  {:<22} {}\n  {:<22} {}; without it: {}; effect: {} ({})\n", one.name, one.assumed, "",
                             overturn::name_of(one.direction), one.key, one.effect, one.evidence);

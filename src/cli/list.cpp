@@ -178,7 +178,7 @@ void print_sections(std::string_view what) {
     }
     if (what.empty()) {
         fmt::print(
-            "what a campaign may state: overturn list keys; what the model assumes: overturn list assumptions; all "
+            "keys of a campaign: overturn list keys; assumptions of the model: overturn list assumptions; all "
             "columns of a results file: overturn list columns FILE.h5; one of these lists: overturn list {}\n",
             section_names());
     }

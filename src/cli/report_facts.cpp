@@ -70,8 +70,8 @@ Json method_of(CampaignSpec const& spec) {
     add("integration",
         fmt::format("Taylor series of order {}, {} a sample, tolerance {:.1g}", spec.accuracy.rocking.taylor_order,
                     spec.accuracy.rocking.substeps, spec.accuracy.rocking.step_tolerance));
-    add("T0, T1",
-        fmt::format("R in {}", spec.measures.radius_unit == RadiusUnit::centimetre ? "centimetres" : "metres"));
+    add("T0, T1", fmt::format("computed with R in {}",
+                              spec.measures.radius_unit == RadiusUnit::centimetre ? "centimetres" : "metres"));
     return facts;
 }
 

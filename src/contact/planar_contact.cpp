@@ -35,21 +35,22 @@ double leaning_depth(ContactBlock const& block, double slope) {
 template <> Fields const& fields_of<ContactQuantities>() {
     using Q = ContactQuantities;
     static Fields const fields{
-        field<&Q::peak_crush_m>("peak_crush", "m", "deepest crush that the pad keeps; 0: it stayed elastic"),
+        field<&Q::peak_crush_m>("peak_crush", "m", "deepest permanent crush of the pad; 0: elastic"),
         field<&Q::peak_contact_force_ratio>("peak_contact_force_ratio", "1", "max N / (m g)"),
         field<&Q::peak_rise_m>("peak_rise", "m", "highest rise of the centre of gravity"),
-        field<&Q::residual_x_m>("residual_x", "m", "place of the base's centre along x at the end"),
-        field<&Q::edge_x_most_m>("edge_x_most", "m",
-                                 "farthest that the base's edge reached towards +x, from where the axis stood"),
+        field<&Q::residual_x_m>("residual_x", "m", "x of the base's centre at the end"),
+        field<&Q::edge_x_most_m>("edge_x_most", "m", "largest x of the base's edge, from the initial axis"),
         field<&Q::edge_x_least_m>("edge_x_least", "m", "the same towards -x, negative"),
-        field<&Q::peak_top_m>("peak_top", "m",
-                              "longest way in plan of the top: on the axis, at twice the height of the centre of "
-                              "gravity"),
+        field<&Q::peak_top_m>(
+            "peak_top", "m",
+            "largest displacement of the top in plan: on the axis, at twice the height of the centre of "
+            "gravity"),
         field<&Q::rotation_most_rad>("rotation_most", "rad", "largest rotation towards +x; pi/2 if it fell that way"),
         field<&Q::rotation_least_rad>("rotation_least", "rad", "the same towards -x, negative"),
-        field<&Q::restitution>("restitution", "1", "omega after over before an impact, as base and pad give it"),
-        field<&Q::corner_share>("corner_share", "1", "of the stiffness, on the corners; NaN: a round base"),
-        field<&Q::normal_restitution>("normal_restitution", "1", "of one point of the base in a flat drop")};
+        field<&Q::restitution>("restitution", "1", "angular velocity after over before an impact, from base and pad"),
+        field<&Q::corner_share>("corner_share", "1", "share of the stiffness on the corners; NaN: a round base"),
+        field<&Q::normal_restitution>("normal_restitution", "1",
+                                      "restitution of one point of the base in a flat drop")};
     return fields;
 }
 

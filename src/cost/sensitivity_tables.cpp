@@ -28,7 +28,8 @@ template <class Row, class Get>
 void add_counts(TableOf<Row>& table, std::string const& begin, std::string const& where, Get get) {
     table
         .add(begin + "decided", "1", "trials with a verdict " + where, [=](Row const& row) { return get(row).decided; })
-        .add(begin + "passed", "1", "of them passed the limit", [=](Row const& row) { return get(row).passed; })
+        .add(begin + "passed", "1", "trials of these that exceeded the limit",
+             [=](Row const& row) { return get(row).passed; })
         .add(begin + "probability", "1", "their share", [=](Row const& row) { return get(row).share(); });
 }
 

@@ -46,7 +46,7 @@ template <> Fields const& fields_of<Outcome>() {
         field<&O::landing_energy_jpkg>("landing_energy", "J/kg",
                                        "kinetic energy when it lies, over the mass; NaN as landing_velocity"),
         field<&O::first_uplift_s>("first_uplift", "s", "time of the first uplift; NaN: never"),
-        field<&O::impacts>("impacts", "1", "base impacts, without the bouncing that settles"),
+        field<&O::impacts>("impacts", "1", "number of base impacts, without the final bouncing"),
         field<&O::peak_impact_velocity_mps>(
             "peak_impact_velocity", "m/s",
             "largest speed at which the far edge of the base lands, 2 b |omega| before an impact; 0: no impact"),
@@ -55,16 +55,17 @@ template <> Fields const& fields_of<Outcome>() {
             "friction coefficient that prevents slip, max |F| / N; the static coefficient once the body has slipped; "
             "infinite where a body that does not slip loses contact"),
         field<&O::min_contact_force_ratio>("min_contact_force_ratio", "1", "min N / (m g)"),
-        field<&O::contact_lost_s>("contact_lost_time", "s",
-                                  "when the base first left the ground, where a rigid one has no answer; NaN: never"),
+        field<&O::contact_lost_s>(
+            "contact_lost_time", "s",
+            "time at which a rigid base first left the ground, which its model does not follow; NaN: never"),
         field<&O::peak_slip_m>("peak_slip", "m", "max |slip| of the base"),
         field<&O::residual_slip_m>("residual_slip", "m", "slip at the end"),
         field<&O::friction_work_jpkg>("friction_work", "J/kg", "work lost in slip, over the mass"),
         field<&O::response_velocity_mps>(
             "v_resp", "m/s",
             "response velocity of the peak rotation: at most V_Ereq in the plane, more over a corner in space"),
-        field<&O::called>("effects_called", "1", "bit mask of effects that the monitors say would act").always(),
-        field<&O::steps>("steps", "1", "series evaluated")};
+        field<&O::called>("effects_called", "1", "bit mask of the required effects, as found by the monitors").always(),
+        field<&O::steps>("steps", "1", "number of evaluated Taylor series")};
     return fields;
 }
 

@@ -6,7 +6,7 @@ namespace overturn {
 
 std::span<VerdictEntry const> common_verdicts() {
     static constexpr std::array entries{
-        VerdictEntry{Verdict::at_rest, "at-rest", "moved by less than is counted as movement", false, true, false},
+        VerdictEntry{Verdict::at_rest, "at-rest", "moved less than the threshold of movement", false, true, false},
         VerdictEntry{Verdict::slid, "slid", "slid, and its base hardly uplifted", true, true, false},
         VerdictEntry{Verdict::rocked, "rocked", "uplifted, hardly slid, and stayed upright", true, true, false},
         VerdictEntry{Verdict::slid_and_rocked, "slid-and-rocked", "slid, uplifted and stayed upright", true, true,

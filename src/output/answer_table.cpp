@@ -46,11 +46,12 @@ Table answer_table(Answered const& of) {
         .add("amplitude", stated_unit(of.spec.levels.units()), "value of the level",
              [](Row const& row) { return row.stripe->amplitude; })
         .category(
-            "purpose", "what the level is for",
+            "purpose", "purpose of the level",
             {name_of(LevelClass::ordinary), name_of(LevelClass::design_basis), name_of(LevelClass::beyond_design)},
             [&](Row const& row) { return name_of(of.spec.levels.levels[row.level].purpose); })
         .add("trials", "1", "trials there", [](Row const& row) { return row.stripe->trials; })
-        .add("passed", "1", "of them passed the limit", [](Row const& row) { return row.stripe->overturned; })
+        .add("passed", "1", "trials of these that exceeded the limit",
+             [](Row const& row) { return row.stripe->overturned; })
         .add("undecided", "1", "of them without a verdict",
              [](Row const& row) { return row.stripe->trials - row.stripe->decided(); })
         .add("probability", "1", "P of the limit state", [](Row const& row) { return row.stripe->probability(); })

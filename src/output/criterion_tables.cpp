@@ -86,7 +86,7 @@ Table limit_table(CampaignSpec const& spec) {
     table.add("name", "1", "limit state", [](LimitState const& limit) { return limit.name; })
         .add("said", "1", "name in printed lines; with \"without overturning\" if overturning alone does not count",
              [&](LimitState const& limit) { return said_name(limit, spec.limits); })
-        .add("definition", "1", "condition for a trial to exceed the limit",
+        .add("definition", "1", "condition that a trial must meet to exceed the limit",
              [&](LimitState const& limit) { return definition_of(limit, spec.limits); })
         .add("quantity", "1", "response compared with the threshold; empty: none",
              [](LimitState const& limit) { return text_or_none(limit.quantity.name); })

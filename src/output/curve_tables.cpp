@@ -52,7 +52,8 @@ template <class Row> void add_measure(TableOf<Row>& table, std::span<Curve const
     table
         .category("measure", "intensity measure", measure_names(fits),
                   [=](Row const& row) { return curve_of(row).name; })
-        .category("units", "unit of the measure, and in this row of every column that names this one in units_from",
+        .category("units",
+                  "unit of the measure, and of every column of this row whose attribute units_from names this column",
                   unit_names(fits), [=](Row const& row) { return curve_of(row).units; });
 }
 
@@ -110,9 +111,9 @@ Table isotonic_table(CurvesOf const& of, std::span<Curve const> fits) {
              [](Row const& row) { return row.part->from; })
         .add("to", unit_of_row(), "highest intensity that shares it", [](Row const& row) { return row.part->to; })
         .add("trials", "1", "trials there", [](Row const& row) { return row.part->trials; })
-        .add(passed_name(fits.front().fit.passing), "1", "of them passed the limit",
+        .add(passed_name(fits.front().fit.passing), "1", "trials of these that exceeded the limit",
              [](Row const& row) { return row.part->overturned; })
-        .add("probability", "1", "P by the largest likelihood of all estimates that do not fall",
+        .add("probability", "1", "isotonic estimate of P: maximum likelihood, never decreasing",
              [](Row const& row) { return row.part->probability(); });
     return table.take();
 }
@@ -158,7 +159,7 @@ Table curve_table(CurvesOf const& of, std::span<MeasuredFragility const> fits) {
         .add("depends_on_levels", "1",
              "1: the curve depends on the levels that were run, and on the number of waves at each",
              [](Curve const& curve) { return !curve.of_levels; })
-        .category("state", "why there is a curve or none", state_names(passing),
+        .category("state", "state of the fit", state_names(passing),
                   [](Curve const& curve) { return name_of(curve.fit.state, curve.fit.passing); });
     add_trial_columns(table, passing);
     add_curve_columns(table);

@@ -50,7 +50,7 @@ Table replicate_table(std::string const& group, std::vector<std::pair<std::strin
     TableOf<Row> table({.name = "rare_replicates", .group = group, .constants = constants}, rows);
     table.add("level", "1", "number of the level, rising from 0", [](Row const& row) { return row.level; })
         .add("replicate", "1", "independent repetition", [](Row const& row) { return row.replicate; })
-        .add("estimate", "1", "its estimate of P; not to be used where it is not trusted",
+        .add("estimate", "1", "estimate of P; not valid if a check of the estimate failed",
              [](Row const& row) { return row.estimate; });
     return table.take();
 }
@@ -150,12 +150,13 @@ std::vector<Table> rare_tables(CampaignSpec const& spec, RareBody const& body) {
         .add("cov", "1", "standard error over probability; NaN without one", trusted(&Row::cov))
         .add("crude_runs", "1", "waves that crude Monte Carlo needs for this; NaN without a probability",
              trusted(&Row::crude_runs))
-        .add("runs", "1", "waves made, those that levels share included", [](Row const& row) { return row.runs; })
+        .add("runs", "1", "number of generated waves, with those that levels share",
+             [](Row const& row) { return row.runs; })
         .category("method", "estimator", rare_method_names(), [](Row const& row) { return name_of(row.method); })
-        .category("state", "may it be trusted?", rare_state_names(), [](Row const& row) { return name_of(row.state); })
-        .add("reason", "1", "why it is not trusted or not resolved",
-             [](Row const& row) { return text_or_none(row.reason); })
-        .add("tried", "1", "estimators that were not trusted before, and why",
+        .category("state", "did the estimate pass its checks?", rare_state_names(),
+                  [](Row const& row) { return name_of(row.state); })
+        .add("reason", "1", "why there is no estimate", [](Row const& row) { return text_or_none(row.reason); })
+        .add("tried", "1", "estimators that failed their checks before, and why",
              [](Row const& row) { return text_or_none(fmt::format("{}", fmt::join(row.tried, between_tries))); });
     return {table.take(), replicate_table(group_of("rare_replicates", name, limit), constants, body),
             health_table(group_of("rare_health", name, limit), constants, body)};

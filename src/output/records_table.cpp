@@ -116,7 +116,7 @@ Table records_table(CampaignSpec const& spec, std::span<TrialRow const> trials) 
         .add("peak_slip", "m", "largest slip; NaN: not simulated",
              [&](TrialRow const& row) { return spec.bodies[row.body].friction ? row.peak_slip_m : never; })
         .add("peak_rotation", "rad", "largest rotation", [](TrialRow const& row) { return row.peak_rotation_rad; })
-        .add("model", "1", "the model that answered", [](TrialRow const& row) { return model_name(row); });
+        .add("model", "1", "the model that gave the result", [](TrialRow const& row) { return model_name(row); });
     return table.take();
 }
 

@@ -79,15 +79,14 @@ void add_ends(TableOf<AtLevel>& table, CampaignSpec const& spec, BodyStatistics 
                   [&body, v](AtLevel const& row) { return body.ends[v][row.level]; });
     }
     table
-        .category("purpose", "what the level is for", {"ordinary", "design-basis", "beyond-design"},
+        .category("purpose", "purpose of the level", {"ordinary", "design-basis", "beyond-design"},
                   [&spec](AtLevel const& row) { return std::string(name_of(spec.levels.levels[row.level].purpose)); })
         .add("fell_after_record", "1", "trials that overturned only after the end of the record",
              [&body](AtLevel const& row) { return body.fell_after_record[row.level]; })
         .add("peaked_after_record", "1", "trials that did not overturn and reached peak rotation after the record",
              [&body](AtLevel const& row) { return body.peaked_after_record[row.level]; });
     for (std::size_t e = 0; e < effects().size(); ++e) {
-        table.add(fmt::format("{}_called", effects()[e].name), "1",
-                  "trials that call for this effect, simulated or not",
+        table.add(fmt::format("{}_called", effects()[e].name), "1", "trials that require this effect, simulated or not",
                   [&body, e](AtLevel const& row) { return body.called[e][row.level]; });
     }
 }
@@ -137,8 +136,8 @@ Table model_table(BodyStatistics const& body) {
                                 .axis = "model",
                                 .constants = {{"body", body.body}}},
                                rows);
-    table.category("model", "the model that answered", names, [&names](std::size_t m) { return names[m]; })
-        .add("trials", "1", "trials that it answered", [&body](std::size_t m) { return body.models[m]; });
+    table.category("model", "the model that gave the result", names, [&names](std::size_t m) { return names[m]; })
+        .add("trials", "1", "trials with a result of this model", [&body](std::size_t m) { return body.models[m]; });
     return table.take();
 }
 
@@ -181,7 +180,7 @@ Table quantile_table(CampaignSpec const& spec, std::string const& body, std::spa
              [](Row const& row) { return row.amplitude; })
         .add("level", "1", "number of the level, rising from 0", [](Row const& row) { return row.level; })
         .add("trials", "1", "trials whose value is known", [](Row const& row) { return row.trials; })
-        .add("unknown", "1", "further trials, whose value is not known: they widen the interval",
+        .add("unknown", "1", "further trials of unknown value: they widen the interval",
              [](Row const& row) { return row.unknown; })
         .add("overturned", "1",
              "of the known ones overturned: they lie above every value, where a percentile of slip is infinite",
@@ -210,11 +209,12 @@ Table grid_table(CampaignSpec const& spec, BodySpec const& body, GridMap const& 
         .add("period", "s", "its period", [](GridLine const& line) { return line.period_s; })
         .add("wave", "1", "number of the wave", [](GridLine const& line) { return line.wave; });
     auto const level = [&](std::string const& name, std::string const& what, auto place) {
-        table.add(name, stated_unit(spec.levels.units()), what + "; NaN: none that was tried",
+        table.add(name, stated_unit(spec.levels.units()), what + "; NaN: none of these levels",
                   [&map, place](GridLine const& line) { return map.value(place(line)); });
     };
-    level("uplift", "least level that lifted it off", [](GridLine const& line) { return line.uplift; });
-    level("overturning", "least level that overturned it", [](GridLine const& line) { return line.least.front(); });
+    level("uplift", "lowest level with uplift", [](GridLine const& line) { return line.uplift; });
+    level("overturning", "lowest level at which it overturned",
+          [](GridLine const& line) { return line.least.front(); });
     level("standing", "highest level at which it stood", [](GridLine const& line) { return line.standing; });
     for (std::size_t limit = 1; limit < map.limits.size(); ++limit) {
         level("limit_" + map.limits[limit], fmt::format("least level that exceeded {}", map.limits[limit]),

@@ -39,11 +39,11 @@ Table any_table(CampaignSpec const& spec, BodiesTogether const& of, double confi
         .add("amplitude", stated_unit(spec.levels.units()), "value of the level",
              [](Row const& row) { return row.any->amplitude; })
         .add("waves", "1", "waves with a trial of every body", [](Row const& row) { return row.any->trials; })
-        .add(passed_name(of.passing), "1", "of them any body passed the limit",
+        .add(passed_name(of.passing), "1", "waves of these in which any body exceeded the limit",
              [](Row const& row) { return row.any->overturned; })
         .add("undecided", "1", "waves in which no body overturned and at least one body has no verdict",
              [](Row const& row) { return row.any->undecided; })
-        .add("probability", "1", "P that any body passes the limit",
+        .add("probability", "1", "P that any body exceeds the limit",
              [](Row const& row) { return row.any->probability(); })
         .add("", "1", "its exact interval", [confidence](Row const& row) { return row.any->interval(confidence); })
         .add("if_independent", "1", "the same probability for independent bodies; NaN: unknown",
@@ -72,7 +72,8 @@ Table pair_table(CampaignSpec const& spec, BodiesTogether const& of) {
         .category("second", "another one", names, [&](Row const& row) { return names[row.pair->second]; })
         .add("amplitude", stated_unit(spec.levels.units()), "value of the level",
              [](Row const& row) { return row.amplitude; })
-        .add("phi", "1", "correlation of their outcomes at the level; NaN: one ended alike throughout",
+        .add("phi", "1",
+             "correlation of their outcomes at the level; NaN: one of them has the same outcome in all trials",
              [](Row const& row) { return row.pair->phi[row.level]; })
         .add("phi_pooled", "1", "the same over all levels", [](Row const& row) { return row.pair->pooled; });
     return table.take();
@@ -165,7 +166,7 @@ Table two_measure_table(std::span<TwoMeasures const> fits, double confidence) {
              [](Row const& row) { return text_or_none(row.fit ? row.names.at(row.fit->better) : ""); })
         .add("deviance_gain", "1", "by which both together fall below that one alone",
              [](Row const& row) { return row.fit ? std::optional(row.fit->deviance_gain) : std::nullopt; })
-        .add("trials", "1", "trials that were fitted", [](Row const& row) { return row.fit ? row.fit->trials : 0; })
+        .add("trials", "1", "trials in the fit", [](Row const& row) { return row.fit ? row.fit->trials : 0; })
         .add("waves", "1", "their waves", [](Row const& row) { return row.fit ? row.fit->waves : 0; });
     return table.take();
 }

@@ -14,10 +14,10 @@ template <> Fields const& fields_of<Response>() {
         }
         all.push_back(
             field<&Response::effects>("effects", "1", "bit mask of effects that ran: " + effect_bits()).always());
-        all.push_back(category<&Response::model>("rung", "the model that the trial needed",
+        all.push_back(category<&Response::model>("rung", "the model that computed the trial",
                                                  {model_categories().begin(), model_categories().end()})
                           .if_absent(unknown_category));
-        all.push_back(category<&Response::reason>("reason", "why the trial needed that model", reason_categories()));
+        all.push_back(category<&Response::reason>("reason", "why this model was required", reason_categories()));
         return all;
     }();
     return fields;

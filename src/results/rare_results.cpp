@@ -31,10 +31,9 @@ void write_mixture(store::ResultsWriter& file, std::string const& group, rare::P
         }
         file.array(place, {"factors", "1", "factors on the wave; bit i of a row is the i-th"},
                    result.stages.front()[s].factors);
-        file.array(place, {"shares", "1", "how often each pulse is chosen, by replicate"}, shares);
+        file.array(place, {"shares", "1", "probability of each pulse, by replicate"}, shares);
         file.array(place, {"lines", "1", "shift of each line, real and imaginary part, by replicate and pulse"}, lines);
-        file.array(place, {"arrivals", "1", "how often it arrives at each point in time, by replicate and pulse"},
-                   arrivals);
+        file.array(place, {"arrivals", "1", "probability of each arrival time, by replicate and pulse"}, arrivals);
     }
 }
 
@@ -48,10 +47,9 @@ void write_subset(store::ResultsWriter& file, std::string const& place, rare::Su
         acceptance.insert(acceptance.end(), replicate.acceptance.begin(), replicate.acceptance.end());
     }
     file.array(place, {"factors", "1", "factor on the wave"}, std::vector<double>{result.estimate.factor});
-    file.array(place, {"levels", "1", "levels below the last, of each replicate"}, levels);
-    file.array(place, {"thresholds", "1", "of the driver, level by level of each replicate"}, thresholds);
-    file.array(place, {"acceptance", "1", "share of moves that were taken, level by level of each replicate"},
-               acceptance);
+    file.array(place, {"levels", "1", "number of levels before the last, of each replicate"}, levels);
+    file.array(place, {"thresholds", "1", "threshold of the driver, by level of each replicate"}, thresholds);
+    file.array(place, {"acceptance", "1", "share of accepted moves, by level of each replicate"}, acceptance);
 }
 
 // The parts of a text, at least one.

@@ -82,13 +82,15 @@ template <> Fields const& fields_of<RareRow>() {
         field<&R::stage>("stage", "1", "stage of the pilot runs, or level of the subset simulation"),
         field<&R::step>("step", "1", "of a Markov chain within the level"),
         field<&R::index>("index", "1", "of the trial within its stage, or of the chain"),
-        field<&R::parent>("parent", "1", "row of this table from which a chain moved here; -1: drawn afresh"),
-        field<&R::weight>("weight", "1", "density of a plain draw over that of the stage's mixture"),
-        field<&R::step_size>("step_size", "1", "s of x' = sqrt(1 - s^2) x + s draw; NaN: drawn afresh"),
-        field<&R::driver>("driver", "1", "how near to overturning, at rest below 0; NaN: not kept"),
-        field<&R::failed>("failed", "1", "overturned, one bit for each of the stage's factors"),
-        field<&R::undecided>("undecided", "1", "not decided, likewise"),
-        field<&R::plain>("plain", "1", "1: left as it was drawn")};
+        field<&R::parent>("parent", "1", "row of this table from which the chain came; -1: independent draw"),
+        field<&R::weight>("weight", "1", "weight: density of a plain draw over that of the mixture of this stage"),
+        field<&R::step_size>("step_size", "1", "s of x' = sqrt(1 - s^2) x + s draw; NaN: independent draw"),
+        field<&R::driver>(
+            "driver", "1",
+            "driver of the subset simulation: distance to overturning, negative at rest; NaN: not stored"),
+        field<&R::failed>("failed", "1", "overturned: one bit for each factor of the stage"),
+        field<&R::undecided>("undecided", "1", "further trials without a verdict"),
+        field<&R::plain>("plain", "1", "1: without a change to the drawn wave")};
     return fields;
 }
 

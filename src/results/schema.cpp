@@ -107,7 +107,7 @@ std::string column_of(std::string_view verdict) {
 
 store::TableSpec trial_table(CampaignSpec const& spec) {
     store::TableSpec table{"trials", sizeof(TrialRow), fields_of<TrialRow>(), "trial",
-                           "number of the trial, as overturn replay --trial takes it"};
+                           "number of the trial, for overturn replay --trial"};
     field_of(table.columns, "verdict").notes = {{"moved", verdicts_that(&VerdictEntry::moved)},
                                                 {"decided", verdicts_that(&VerdictEntry::decided)},
                                                 {"fell", verdicts_that(&VerdictEntry::fell)}};

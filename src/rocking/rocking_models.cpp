@@ -241,13 +241,14 @@ template <> Fields const& fields_of<RigidQuantities>() {
     using Q = RigidQuantities;
     static Fields const fields{
         field<&Q::edge_x_most_m>("edge_x_most", "m",
-                                 "farthest that the base's edge reached towards +x, from where the axis stood, or "
+                                 "largest x of the base's edge, from the initial axis, or "
                                  "would have, laid down where its other edge stood"),
         field<&Q::edge_x_least_m>("edge_x_least", "m", "the same towards -x, negative"),
-        field<&Q::residual_x_m>("residual_x", "m", "place of the base's centre along x at the end; NaN: it fell"),
-        field<&Q::peak_top_m>("peak_top", "m",
-                              "longest way in plan of the top: on the axis, at twice the height of the centre of "
-                              "gravity; where it slips or its corners differ, at most that"),
+        field<&Q::residual_x_m>("residual_x", "m", "x of the base's centre at the end; NaN: it fell"),
+        field<&Q::peak_top_m>(
+            "peak_top", "m",
+            "largest displacement of the top in plan: on the axis, at twice the height of the centre of "
+            "gravity; where it slips or its corners differ, at most that"),
         field<&Q::rotation_at_peak_rad>("rotation_at_peak", "rad",
                                         "peak rotation with its sign: above 0 towards +x; pi/2 if it fell that way")};
     return fields;

@@ -18,29 +18,30 @@ namespace overturn {
 template <> Fields const& fields_of<SpatialQuantities>() {
     using Q = SpatialQuantities;
     static Fields const fields{
-        field<&Q::peak_crush_m>("peak_crush", "m", "deepest crush that the pad keeps; 0: it stayed elastic"),
+        field<&Q::peak_crush_m>("peak_crush", "m", "deepest permanent crush of the pad; 0: elastic"),
         field<&Q::peak_contact_force_ratio>("peak_contact_force_ratio", "1", "max N / (m g)"),
         field<&Q::peak_rise_m>("peak_rise", "m", "highest rise of the centre of gravity"),
-        field<&Q::yaw_rad>("yaw", "rad", "turn about the body's axis that is left"),
-        field<&Q::peak_yaw_rad>("peak_yaw", "rad", "largest turn about the body's axis"),
-        field<&Q::slip_path_m>("slip_path", "m", "way that the base has gone, slipping, rolling or walking"),
-        field<&Q::residual_x_m>("residual_x", "m", "place of the base's centre along x at the end"),
+        field<&Q::yaw_rad>("yaw", "rad", "rotation about the body's axis at the end"),
+        field<&Q::peak_yaw_rad>("peak_yaw", "rad", "largest rotation about the body's axis"),
+        field<&Q::slip_path_m>("slip_path", "m", "path length of the base in plan, by slip, rolling or walking"),
+        field<&Q::residual_x_m>("residual_x", "m", "x of the base's centre at the end"),
         field<&Q::residual_y_m>("residual_y", "m", "the same along y"),
         field<&Q::edge_x_most_m>("edge_x_most", "m",
-                                 "farthest that the base's edge reached towards +x, from where the axis stood; of a "
+                                 "largest x of the base's edge, from the initial axis; of a "
                                  "base with corners the circle round them"),
         field<&Q::edge_x_least_m>("edge_x_least", "m", "the same towards -x, negative"),
         field<&Q::edge_y_most_m>("edge_y_most", "m", "the same towards +y"),
         field<&Q::edge_y_least_m>("edge_y_least", "m", "the same towards -y, negative"),
         field<&Q::peak_top_m>(
             "peak_top", "m",
-            "longest way in plan of the top: on the axis, at twice the height of the centre of gravity"),
+            "largest displacement of the top in plan: on the axis, at twice the height of the centre of gravity"),
         field<&Q::landing_azimuth_rad>(
             "landing_azimuth", "rad",
             "direction in plan in which an overturned body lies, from x towards y; NaN: none"),
-        field<&Q::restitution>("restitution", "1", "omega after over before an impact, as base and pad give it"),
-        field<&Q::corner_share>("corner_share", "1", "of the stiffness, on the corners; NaN: no square base"),
-        field<&Q::normal_restitution>("normal_restitution", "1", "of one point of the base in a flat drop")};
+        field<&Q::restitution>("restitution", "1", "angular velocity after over before an impact, from base and pad"),
+        field<&Q::corner_share>("corner_share", "1", "share of the stiffness on the corners; NaN: no square base"),
+        field<&Q::normal_restitution>("normal_restitution", "1",
+                                      "restitution of one point of the base in a flat drop")};
     return fields;
 }
 

@@ -83,9 +83,9 @@ TEST(CriterionWords, FalseAlarmsAreWeighedByHalf) {
     body.criterion[0].study.first_overturning = RatioQuantiles{.p05 = 1.7, .median = 2.4};
     auto const open = words_on(body, 0.95).open;
     EXPECT_TRUE(holds(open,
-                      "more or fewer than half of its alarms at these levels are false (too few trials): of 8 trials "
+                      "perhaps half of its alarms at these levels are false (too few trials): of 8 trials "
                       "predicted unsafe, 6 did not overturn (75 %; 95 %: 34.9 % to 96.8 %)"));
-    EXPECT_TRUE(holds(open, "first did so at V_WES / V_Ereq above 2.4, 5 % below 1.7"));
+    EXPECT_TRUE(holds(open, "first overturning of each wave: median 2.4, 5th percentile 1.7"));
     body.verdict->false_alarms = Speaks::against;
     EXPECT_TRUE(holds(words_on(body, 0.95).against, "more than half of its alarms at these levels are false: of 8"));
     body.verdict->false_alarms = Speaks::in_favour;

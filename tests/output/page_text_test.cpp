@@ -79,9 +79,9 @@ TEST(PageText, EachQuotedProbabilityHasARemark) {
     ASSERT_EQ(remarks.size(), quotes);
     ASSERT_GE(quotes, 4U);
     EXPECT_EQ(remarks[0].at("measure"), "pga");
-    EXPECT_EQ(remarks[0].at("text"), "0 of 40 seen there, in the tail");
-    EXPECT_EQ(remarks[1].at("text"), "20 of 40 seen there") << "1.5 times: no comma first";
-    EXPECT_EQ(remarks[2].at("text"), "38 of 40 seen there");
+    EXPECT_EQ(remarks[0].at("text"), "0 of 40 trials there, in the tail");
+    EXPECT_EQ(remarks[1].at("text"), "20 of 40 trials there") << "1.5 times: no comma first";
+    EXPECT_EQ(remarks[2].at("text"), "38 of 40 trials there");
     EXPECT_NE(remarks[3].at("text").get<std::string>().find("outside the data"), std::string::npos);
 }
 

@@ -13,12 +13,12 @@ Table count_table(CampaignSpec const& spec, WaveCounts const& waves, double conf
     TableOf<WaveCounts> table({.name = "acceptance", .group = "acceptance", .constants = {{"confidence", confidence}}},
                               rows);
     table
-        .add("rule", "1", "the rule that waves are held to",
+        .add("rule", "1", "acceptance rule of the waves",
              [&](WaveCounts const&) { return spec.source->about().acceptance.rule; })
         .add("tried", "1", "waves with trials", [](WaveCounts const& row) { return row.waves; })
         .add("refused", "1", "waves that miss the rule; not used as trials",
              [](WaveCounts const& row) { return row.refused; })
-        .add("used", "1", "of those tried, waves that miss the rule",
+        .add("used", "1", "of the waves with trials, those that miss the rule",
              [](WaveCounts const& row) { return row.not_accepted; })
         .add("refused_share", "1", "share of the drawn waves that was refused",
              [](WaveCounts const& row) {
@@ -36,11 +36,11 @@ Table clause_table(MissedClauses const& missed) {
     table
         .category("clause", "clause of the acceptance rule", names_of_all_clauses(),
                   [](MissedClause const& row) { return row.clause; })
-        .category("component", "whose spectrum misses it; whole-wave: it is about no single one",
+        .category("component", "component that misses it; whole-wave: the clause is about the whole wave",
                   {"horizontal", "transverse", "vertical", "whole-wave"},
                   [](MissedClause const& row) { return row.component.empty() ? "whole-wave" : row.component; })
         .add("waves", "1", "waves that miss it", [](MissedClause const& row) { return row.waves; })
-        .add("worst", "1", "figure of the wave that misses it most", [](MissedClause const& row) { return row.worst; })
+        .add("worst", "1", "value of the wave that misses it most", [](MissedClause const& row) { return row.worst; })
         .add("period_lower", "s", "the middle nine tenths of them miss it at this period or above",
              [](MissedClause const& row) { return row.from_period_s; })
         .add("period_upper", "s", "the middle nine tenths of them miss it at this period or below",

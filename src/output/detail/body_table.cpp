@@ -29,8 +29,8 @@ Table body_table(CampaignSpec const& spec, std::size_t number) {
         .add("housner_restitution", "1", "1 - 2 m b^2 / I_O", of_body(&B::housner_restitution))
         .add("axes", "1", "components that shake it: 1 horizontal, 2 both horizontal, 3 the vertical one too",
              [](BodySpec const& row) { return row.axes; })
-        .add("t0", "s", "shortest period that the body runs through", [=](BodySpec const&) { return band.t0_s; })
-        .add("t1", "s", "longest period that the body runs through", [=](BodySpec const&) { return band.t1_s; })
+        .add("t0", "s", "shortest rocking period of the body", [=](BodySpec const&) { return band.t0_s; })
+        .add("t1", "s", "longest rocking period of the body", [=](BodySpec const&) { return band.t1_s; })
         .add("v_ereq", "m/s", "limit velocity sqrt(2 g (R - h))", of_body(&B::limit_velocity_mps));
     return table.take();
 }

@@ -71,7 +71,7 @@ void say_false_alarms(CriterionWords& words, Speaks speaks, CriterionStudy const
     }
     auto const* const share = speaks == Speaks::against     ? "more than half"
                               : speaks == Speaks::in_favour ? "fewer than half"
-                                                            : "more or fewer than half";
+                                                            : "perhaps half";
     list_of(words, speaks)
         .push_back(fmt::format(
             "{} of its alarms at these levels are false{}: of {} trials predicted unsafe, {} did not overturn "
@@ -80,8 +80,7 @@ void say_false_alarms(CriterionWords& words, Speaks speaks, CriterionStudy const
             100 * confidence, ends(price)));
     if (study.first_overturning) {
         words.open.push_back(fmt::format(
-            "margin: half of the waves that overturned the body first did so at V_WES / V_Ereq above {:.3g}, 5 % below "
-            "{:.3g}",
+            "margin: V_WES / V_Ereq at the first overturning of each wave: median {:.3g}, 5th percentile {:.3g}",
             study.first_overturning->median, study.first_overturning->p05));
     }
 }

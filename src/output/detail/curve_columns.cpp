@@ -74,20 +74,20 @@ void add_low_points(TableOf<Curve>& table) {
 
 void add_trial_columns(TableOf<Curve>& table, Passing passing) {
     table
-        .add("identifiable", "1", "1: the trials hold a lognormal curve",
+        .add("identifiable", "1", "1: the trials determine a lognormal curve",
              [](Curve const& curve) { return curve.fit.identifiable(); })
-        .names("flags", "what a reader must know of the fit", names_of((1U << fragility_flags) - 1, passing),
+        .names("flags", "flags of the fit", names_of((1U << fragility_flags) - 1, passing),
                [](Curve const& curve) { return names_of(curve.fit.flags, curve.fit.passing); })
-        .add("trials", "1", "trials that were fitted", [](Curve const& curve) { return curve.fit.trials; })
-        .add(passed_name(passing), "1", "of them passed the limit",
+        .add("trials", "1", "trials in the fit", [](Curve const& curve) { return curve.fit.trials; })
+        .add(passed_name(passing), "1", "trials of these that exceeded the limit",
              [](Curve const& curve) { return curve.fit.overturned; })
         .add("undecided", "1", "further trials without a verdict",
              [](Curve const& curve) { return curve.fit.undecided; })
         .add("waves", "1", "independent waves; NaN: not known",
              [](Curve const& curve) { return positive(static_cast<double>(curve.fit.waves)); })
-        .add("lowest", unit_of_row(), "lowest intensity that was tried",
+        .add("lowest", unit_of_row(), "lowest intensity of the trials",
              [](Curve const& curve) { return curve.fit.trials > 0 ? std::optional(curve.fit.lowest) : std::nullopt; })
-        .add("highest", unit_of_row(), "highest intensity that was tried",
+        .add("highest", unit_of_row(), "highest intensity of the trials",
              [](Curve const& curve) { return curve.fit.trials > 0 ? std::optional(curve.fit.highest) : std::nullopt; })
         .add("lowest_proportion", "1",
              "proportion exceeding at the lowest level with an exceedance; NaN: no exceedance",
@@ -103,7 +103,7 @@ void add_curve_columns(TableOf<Curve>& table) {
         .add("beta", "1", "lognormal standard deviation; NaN: not identifiable",
              if_fitted([](Fit const& fit) { return fit.line->beta(); }))
         .add("beta", "1", "beta", if_fitted([](Fit const& fit) { return fit.intervals().beta; }))
-        .category("interval_method", "where median, beta and the 5 % point have their intervals from",
+        .category("interval_method", "method of the intervals of median, beta and 5 % point",
                   {"profile-likelihood", "bootstrap-by-waves"},
                   [](Curve const& curve) {
                       return std::string(curve.fit.method == Fit::Method::bootstrap_by_waves ? "bootstrap-by-waves"
@@ -119,7 +119,7 @@ void add_curve_columns(TableOf<Curve>& table) {
     add_ends_by(table, "profile", "by profile likelihood, trials as independent", &Fit::profile);
     add_ends_by(table, "bootstrap", "by bootstrap over waves", &Fit::bootstrap);
     table.add("replicates", "1", "replicates of the bootstrap", [](Curve const& curve) { return curve.fit.replicates; })
-        .add("replicates_without_curve", "1", "of them held no curve",
+        .add("replicates_without_curve", "1", "replicates without a curve",
              [](Curve const& curve) { return curve.fit.replicates_without_curve; });
 }
 
@@ -137,15 +137,16 @@ void add_check_columns(TableOf<Curve>& table, Passing passing) {
     auto const seen = [](std::optional<SeenBound> FragilityFit::*which) {
         return [which](Curve const& curve) { return curve.fit.*which ? &*(curve.fit.*which) : nullptr; };
     };
-    table.add("deviance", "1", "of the curve from the proportions", goodness([](auto const& g) { return g.deviance; }))
+    table
+        .add("deviance", "1", "deviance of the curve from the proportions",
+             goodness([](auto const& g) { return g.deviance; }))
         .add("degrees_of_freedom", "1", "of the deviance", goodness([](auto const& g) { return g.degrees_of_freedom; }))
-        .add("deviance_p_value", "1",
-             "chance of so large a deviance, at least 1e-3 where simulated; NaN: nothing to judge by",
+        .add("deviance_p_value", "1", "p value of the deviance, at least 1e-3 if simulated; NaN: too few trials",
              goodness([](auto const& g) { return g.degrees_of_freedom > 0 ? g.p_value : never; }))
-        .add("stripe_p_value", "1", "exact tail of the stripe farthest from the curve, times their number",
+        .add("stripe_p_value", "1", "exact p value of the stripe farthest from the curve, times the number of stripes",
              goodness([](auto const& g) { return g.stripe_p_value; }))
         .add("monotone_p_value", "1",
-             "chance of proportions that fall as much, by simulation, at least 1e-3; NaN: they do not fall",
+             "p value of the decrease of the proportions, by simulation, at least 1e-3; NaN: they do not decrease",
              [](Curve const& curve) {
                  return curve.fit.trials > 0 && curve.fit.monotone.degrees_of_freedom > 0 ? curve.fit.monotone.p_value
                                                                                           : never;
@@ -162,11 +163,13 @@ void add_check_columns(TableOf<Curve>& table, Passing passing) {
                      seen(&FragilityFit::bound));
     add_seen_columns(table, "pooled", "several stripes together", passed_name(passing), seen(&FragilityFit::pooled));
     table
-        .add("rank_area", "1",
-             passing == Passing::exceeded
-                 ? "chance that what exceeded the limit has the larger measure; NaN: all did alike"
-                 : "chance that what overturned has the larger measure; NaN: all ended alike",
-             [](Curve const& curve) { return curve.rank_area; })
+        .add(
+            "rank_area", "1",
+            passing == Passing::exceeded
+                ? "probability that a trial that exceeded the limit has the larger measure; NaN: all trials ended the "
+                  "same way"
+                : "probability that a trial that overturned has the larger measure; NaN: all trials ended the same way",
+            [](Curve const& curve) { return curve.rank_area; })
         .add("rank_area", "1", "rank_area", [](Curve const& curve) {
             return std::isfinite(curve.rank_area) ? std::optional(curve.rank_interval) : std::nullopt;
         });

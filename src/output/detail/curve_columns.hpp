@@ -34,7 +34,7 @@ void add_seen_columns(TableOf<Row>& table, std::string const& name, std::string 
         .add(name + "_to", unit_of_row(), "highest intensity of " + what, value(&SeenBound::to))
         .add(name + "_trials", "1", "trials of " + what + "; distinct waves where trials share them",
              value(&SeenBound::units))
-        .add(name + "_" + passed, "1", "of them passed the limit", value(&SeenBound::overturned))
+        .add(name + "_" + passed, "1", "trials of these that exceeded the limit", value(&SeenBound::overturned))
         .add(name, "1", "P of " + what, value(&SeenBound::probability));
 }
 
@@ -66,16 +66,16 @@ template <class Row> void add_quote_columns(TableOf<Row>& table, std::string con
                       static constexpr std::array names{"none", "curve", "stripe", "neighbours"};
                       return std::string(names.at(static_cast<std::size_t>(row.part->source)));
                   })
-        .add("curve_probability", "1",
-             "P of the curve, whatever it is worth there; NaN: below what the trials can show",
+        .add("curve_probability", "1", "P of the curve, also where it is not reported; NaN: below 1/(10 n)",
              [](Row const& row) { return row.part->bound ? std::nullopt : row.part->curve; })
-        .add("trials", "1", "trials right there", [](Row const& row) { return row.part->trials; })
-        .add(passed, "1", "of them passed the limit", [](Row const& row) { return row.part->overturned; })
+        .add("trials", "1", "trials at this intensity", [](Row const& row) { return row.part->trials; })
+        .add(passed, "1", "trials of these that exceeded the limit",
+             [](Row const& row) { return row.part->overturned; })
         .add("observed", "1", "their proportion",
              [](Row const& row) {
                  return row.part->trials > 0 ? std::optional(row.part->overturned / row.part->trials) : std::nullopt;
              })
-        .add("observed", "1", "their proportion, exact",
+        .add("observed", "1", "the observed proportion, exact",
              [](Row const& row) { return row.part->trials > 0 ? std::optional(row.part->seen) : std::nullopt; });
     add_seen_columns(table, "pooled", "stripes from there on that ended alike", passed,
                      seen(&QuotedProbability::pooled));
@@ -84,9 +84,9 @@ template <class Row> void add_quote_columns(TableOf<Row>& table, std::string con
     add_seen_columns(table, "bound", "the trials that bound P where the curve's P is below `least`", passed,
                      seen(&QuotedProbability::bound));
     table
-        .add("least", "1", "a tenth of one in the trials: the curve's P is not reported below it",
+        .add("least", "1", "1/(10 n): the P of the curve is not reported below it",
              [](Row const& row) { return row.part->least; })
-        .add("outside_data", "1", "1: below or above all intensities that were tried",
+        .add("outside_data", "1", "1: below the lowest or above the highest intensity of the trials",
              [](Row const& row) { return row.part->outside_data; })
         .add("in_tail", "1", "1: P is below a tenth of the lowest proportion that is not zero",
              [](Row const& row) { return row.part->in_tail; });

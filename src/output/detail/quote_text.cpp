@@ -69,10 +69,10 @@ std::string stripe_text(MeasuredFragility const& m, QuotedProbability const& q) 
     auto const more = q.pooled ? fmt::format(", {:g} of {:g} up to {}", q.pooled->overturned, q.pooled->units,
                                              m.shown_in.text(q.pooled->to))
                                : std::string();
-    return fmt::format(", {:g} of {:g} seen there{}", q.overturned, q.trials, more);
+    return fmt::format(", {:g} of {:g} trials there{}", q.overturned, q.trials, more);
 }
 
-// What was seen, and what must be known beside it: ", 3 of 40 seen there, in the tail".
+// What was seen, and what must be known beside it: ", 3 of 40 trials there, in the tail".
 std::string seen_text(MeasuredFragility const& m, QuotedProbability const& q) {
     bool const differs =
         q.curve && (!q.probability || fmt::format("{:.2g}", *q.probability) != curve_text(q.least, *q.curve));

@@ -21,7 +21,8 @@ void add_share(TableOf<Row>& table, std::string const& name, std::string const& 
     table.add(name, "1", meaning, any([](Share const& share) { return share.value(); }))
         .add(name, "1", "it, exact", any([](Share const& share) { return share.interval; }))
         .add(name + "_count", "1", "count of " + name, [get](Row const& row) { return get(row).count; })
-        .add(name + "_of", "1", "of so many", [get](Row const& row) { return get(row).of; });
+        .add(name + "_of", "1", "number of trials or waves that it is a share of",
+             [get](Row const& row) { return get(row).of; });
 }
 
 /// Percentiles of a ratio: name_count, name_lowest, name_p05 to name_p95, name_highest. `get(row)` is a RatioQuantiles
@@ -39,13 +40,13 @@ void add_percentiles(TableOf<Row>& table, std::string const& name, std::string c
         });
     };
     using Q = RatioQuantiles;
-    one("_lowest", "lowest ratio of ", &Q::lowest);
+    one("_lowest", "lowest value of ", &Q::lowest);
     one("_p05", "5th percentile of ", &Q::p05);
     one("_p25", "25th percentile of ", &Q::p25);
     one("_median", "median of ", &Q::median);
     one("_p75", "75th percentile of ", &Q::p75);
     one("_p95", "95th percentile of ", &Q::p95);
-    one("_highest", "highest ratio of ", &Q::highest);
+    one("_highest", "highest value of ", &Q::highest);
 }
 
 }  // namespace overturn::output

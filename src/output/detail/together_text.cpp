@@ -41,7 +41,7 @@ std::string together_text(CampaignSpec const& spec, std::span<BodiesTogether con
         auto const left = shown < of.joint.pairs.size()
                               ? fmt::format(" (the first {} of {} pairs; all in --json)", shown, of.joint.pairs.size())
                               : std::string();
-        text += fmt::format("\nany of {} bodies {} under one wave; phi: correlation of two bodies' ends under it{}\n",
+        text += fmt::format("\nany of {} bodies {} under one wave; phi: correlation of the outcomes of two bodies{}\n",
                             spec.bodies.size(), did, left);
         auto const levels = shown_levels(spec.levels);
         TextGroup any_of{level_column(spec.levels, levels),

@@ -1,12 +1,13 @@
 #include "runner/detail/stopping.hpp"
 
 #include <algorithm>
-#include <span>
+#include <string>
 
 #include <fmt/format.h>
 
 #include "campaign/block_rows.hpp"
 #include "campaign/waves_per_look.hpp"
+#include "output/target_text.hpp"
 #include "results/analysis.hpp"
 #include "results/statistics.hpp"
 #include "stats/precision.hpp"
@@ -18,30 +19,6 @@ std::string of_limit(CampaignSpec const& spec, std::size_t limit) {
     return limit == 0 ? std::string() : fmt::format(" by limit {}", spec.limits[limit].name);
 }
 
-// More waves do not decide trials: where so many have no verdict that the exact interval stays wider than asked.
-std::string half_width_obstacle(std::span<Stripe const> stripes, double half_width, double confidence) {
-    for (auto const& stripe : stripes) {
-        auto const open = stripe.trials - stripe.decided();
-        if (clopper_pearson_of_groups(open, open, stripe.trials, stripe.alike, confidence).lower > 2 * half_width) {
-            return fmt::format("cannot meet target_half_width = {:g} ({} of {} trials at one level have no verdict)",
-                               half_width, open, stripe.trials);
-        }
-    }
-    return {};
-}
-
-std::string median_obstacle(FragilityFit const& fit, double half_width) {
-    auto const why = fit.state == FragilityState::none_overturned
-                         ? std::string(fit.passing == Passing::exceeded ? "no trial exceeds it" : "nothing overturns")
-                     : fit.state == FragilityState::all_overturned ? std::string("every trial does")
-                     : fit.state == FragilityState::undecided
-                         ? fmt::format("{:g} trials have no verdict", fit.undecided)
-                         : std::string();
-    return why.empty()
-               ? why
-               : fmt::format("cannot meet target_median_half_width = {:g} while that is so ({})", half_width, why);
-}
-
 // One body by one limit state; of obstacles the first is reported.
 void look(CampaignSpec const& spec, Statistics const& statistics, std::size_t body, std::size_t limit,
           TargetLook& looked) {
@@ -50,13 +27,13 @@ void look(CampaignSpec const& spec, Statistics const& statistics, std::size_t bo
     std::string obstacle;
     if (target.half_width && !is_precise(stripes, *target.half_width, spec.confidence)) {
         looked.met = false;
-        obstacle = half_width_obstacle(stripes, *target.half_width, spec.confidence);
+        obstacle = output::half_width_obstacle(stripes, *target.half_width, spec.confidence);
     }
     if (target.median_half_width) {
         auto const fit = fit_over_levels(spec, statistics, body, {.confidence = spec.confidence}, limit);
         if (!is_precise(fit, *target.median_half_width)) {
             looked.met = false;
-            obstacle = obstacle.empty() ? median_obstacle(fit, *target.median_half_width) : obstacle;
+            obstacle = obstacle.empty() ? output::median_obstacle(fit, *target.median_half_width) : obstacle;
         }
     }
     if (looked.obstacle.empty() && !obstacle.empty()) {

@@ -216,14 +216,14 @@ class Report:
     def trials(self):
         parts = []
         for body in self.results.bodies:
-            drawn = [("ends", trial_figures.ends), ("rotations", trial_figures.rotations), ("slips", trial_figures.slips),
-                     ("reasons", trial_figures.reasons)]
+            drawn = [("ends", "verdicts and models", trial_figures.ends), ("rotations", "peak rotations", trial_figures.rotations),
+                     ("slips", "peak slips", trial_figures.slips), ("reasons", "reasons for more detailed models", trial_figures.reasons)]
             if self.fit["grid"]:  # the map shows the ends, and a grid has no distributions
                 drawn = [drawn[0], drawn[3]]
-            for name, draw in drawn:
+            for name, called, draw in drawn:
                 parts.append(self.figure(f"{name}-{body.name}",
                                          lambda path, draw=draw, body=body: draw(self.results, body, path),
-                                         f"{name} of {body.name}"))
+                                         f"{called} of {body.name}"))
         parts.append(paragraphs(self.data["cut_short"]))
         parts.append(self.telling())
         parts.append(paragraphs(filter(None, [self.data["histories_of"]]), " class=quiet"))

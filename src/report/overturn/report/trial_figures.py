@@ -118,7 +118,7 @@ def ends(results, body, path):
     figure, (left, right) = plt.subplots(1, 2, figsize=(5.8, 2.8), sharey=True, layout="constrained")
     shares(left, results, body, "verdicts",
            [(name, which, ENDS.get(name, GREEN)) for name, which in body.kinds("verdict")])
-    shares(right, results, body, "simulated up to",
+    shares(right, results, body, "model used",
            [(name, which, MODEL_COLOURS[n % len(MODEL_COLOURS)]) for n, (name, which) in enumerate(body.kinds("rung"))])
     for axes in (left, right):
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=2)
@@ -182,7 +182,7 @@ def reasons(results, body, path):
         return False
     style.use()
     figure, axes = plt.subplots(figsize=(5.2, 2.4), layout="constrained")
-    shares(axes, results, body, "what called for a dearer model",
+    shares(axes, results, body, "why a more detailed model was required",
            [(name, which, style.SERIES[n % len(style.SERIES)]) for n, (name, which) in enumerate(kinds)])
     axes.set_ylabel("share of trials")
     axes.legend(loc="upper center", bbox_to_anchor=(0.5, -0.24), ncols=2)
