@@ -81,7 +81,7 @@ values = {from = "300 gal", to = "1500 gal", count = 7}
 
 // SHA-256 of the digests of all stored rows, by kind of machine: the same on every x86-64 CPU.
 std::string known_rows(std::string const& kind) {
-    return kind == "x86-64" ? "29dea60b31239fdb5e117f51aac065c2f2560ee93de32486ca1fa09cecec71c8" : "";
+    return kind == "x86-64" ? "2f315757d3fd6c9148c21e17fffc18e4a224a735c77ced6637b00eb59cdb9b05" : "";
 }
 
 CampaignInput campaign() {
