@@ -13,7 +13,6 @@
 #include "campaign/detail/limit_spec.hpp"
 #include "campaign/moves_in_space.hpp"
 #include "campaign/site.hpp"
-#include "campaign/typed_units.hpp"
 #include "core/units.hpp"
 #include "core/usual_range.hpp"
 
@@ -147,12 +146,13 @@ double room_at_rest(std::string_view quantity, Site const& site) {
                                          : std::numeric_limits<double>::infinity();
 }
 
-void add_no_room(LimitState const& limit, CampaignSpec const& spec, Lines& lines) {
-    double const room_m = room_at_rest(limit.quantity.name, spec.site);
-    auto const unit = typed_units(spec).slip;
+void add_no_room(LimitState const& limit, Site const& site, Lines& lines) {
+    double const room_m = room_at_rest(limit.quantity.name, site);
+    auto const& unit = limit.shown;
     if (limit.rule == LimitState::Rule::below && limit.threshold > room_m) {
         lines.push_back(fmt::format("limit '{}': {} is passed by a body at rest, which has {:.4g} {}. Lower it",
-                                    limit.name, rule_text(limit), room_m / unit.si, unit.symbol));
+                                    limit.name, rule_text(limit), unit.of(room_m),
+                                    unit.symbol.empty() ? "m" : unit.symbol));
     }
 }
 
@@ -172,7 +172,7 @@ void add_limits(CampaignSpec const& spec, Lines& lines) {
             }
         }
         add_unusual_threshold(limit, ranges, lines);
-        add_no_room(limit, spec, lines);
+        add_no_room(limit, spec.site, lines);
     }
 }
 

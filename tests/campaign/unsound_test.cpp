@@ -119,6 +119,8 @@ TEST(Plausible, MistypedCampaignsGetOne) {
                         below));
     };
     EXPECT_TRUE(told(near("0.9 m"), "is passed by a body at rest, which has 0.8 m"));
+    EXPECT_TRUE(told(near("90 cm"), "is passed by a body at rest, which has 80 cm"));
+    EXPECT_TRUE(told(near("0.9"), "is passed by a body at rest, which has 0.8 m"));
     EXPECT_FALSE(told(near("0.7 m"), "at rest"));
     EXPECT_TRUE(told(lines(waves + "[waves.vertical]\nratio=6.67\n", testing::levels("values=[3]\n")),
                      "wave 0 is stronger vertically"));

@@ -213,12 +213,18 @@ TEST_F(SealedFile, AColumnOfWordsInPlaceOfNumbersIsBadInput) {
                            "f['trials/peak_rotation'] = [b'high'] * n")
                   .code,
               0);
-    for (std::vector<std::string> const& command :
-         {std::vector<std::string>{"fit", "c.h5"}, {"status", "c.h5"}, {"replay", "c.h5", "--trial", "3"}}) {
+    auto const refused = [&](std::vector<std::string> const& command, std::string const& column) {
         auto const ended = overturn(folder, joined(command, {"--unverified"}));
         EXPECT_EQ(ended.code, 2) << command.front() << ended.err;
-        EXPECT_NE(ended.err.find("trials/peak_rotation holds no numbers"), std::string::npos) << ended.err;
-    }
+        EXPECT_NE(ended.err.find(column + " holds no numbers"), std::string::npos) << ended.err;
+    };
+    refused({"fit", "c.h5"}, "trials/peak_rotation");
+    refused({"replay", "c.h5", "--trial", "3"}, "trials/peak_rotation");
+    ASSERT_EQ(edit_results(folder, "c.h5",
+                           "n = len(f['trials/wave']); del f['trials/wave']; f['trials/wave'] = [b'high'] * n")
+                  .code,
+              0);
+    refused({"status", "c.h5"}, "trials/wave");  // of trials it reads what it counts by
 }
 
 }  // namespace
