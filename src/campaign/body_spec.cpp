@@ -229,7 +229,7 @@ BodySpec read_body(Table const& table, InputFiles& files) {
         table.named_document(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
     auto spec = config::with_all_faults(inner, [&] {
         auto stated = read_stated(inner, inner.text(body_keys["name"], "body"), points_across);
-        if (!table.has("restitution") && !table.has("base")) {
+        if (!table.has("restitution") && !table.has("base") && !table.has("pad")) {
             settle(inner, stated);  // faults of the file alone are reported there
         }
         return stated;

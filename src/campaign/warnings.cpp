@@ -114,8 +114,10 @@ void add_first_wave(CampaignSpec const& spec, Lines& lines) {
 // The model on which trials of this body go on, beyond two rigid corners; null: they stay there.
 ModelTraits const* model_beyond_corners(CampaignSpec const& spec, BodySpec const& body) {
     auto const bed = mask_of(Effect::contact);
-    bool const on_bed = body.footing.stated && (spec.effects.wanted() & bed) != 0;
-    auto const brings = may_move_in_space(spec, body) ? mask_of(Effect::spatial) : on_bed ? bed : 0;
+    bool const stated = body.footing.stated || has(spec.effects.include, Effect::contact);
+    auto const brings = may_move_in_space(spec, body)                  ? mask_of(Effect::spatial)
+                        : stated && (spec.effects.wanted() & bed) != 0 ? bed
+                                                                       : 0;
     auto const entry = std::ranges::find_if(
         models(), [&](ModelEntry const& model) { return (model.traits().brings() & brings) != 0; });
     return entry == models().end() ? nullptr : &entry->traits();
@@ -126,13 +128,16 @@ void add_limits(CampaignSpec const& spec, Lines& lines) {
         if (limit.rule != LimitState::Rule::above && limit.rule != LimitState::Rule::below) {
             continue;
         }
+        auto const& quantity = limit.quantity;
         for (auto const& body : spec.bodies) {
-            auto const* const model = model_beyond_corners(spec, body);
-            if (model != nullptr && !model->computes(limit.quantity.name, limit.quantity.of_every_model)) {
-                lines.push_back(
-                    fmt::format("limit {}: trials of {} in the model {} have no {}, and so no verdict. Limit another "
-                                "quantity, peak_rotation for example",
-                                limit.name, body.name, model->name, limit.quantity.name));
+            bool const calls_space = (quantity.needs & mask_of(Effect::spatial)) != 0;  // the limit itself does
+            auto const* const model =
+                calls_space && !quantity.of_every_model ? nullptr : model_beyond_corners(spec, body);
+            if (model != nullptr && !model->computes(quantity.name, quantity.of_every_model)) {
+                lines.push_back(fmt::format(
+                    "limit {}: trials of {} on points or in space have no {}, and so no verdict unless they "
+                    "fall. Limit another quantity, peak_rotation for example",
+                    limit.name, body.name, quantity.name));
             }
         }
     }

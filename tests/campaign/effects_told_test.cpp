@@ -81,7 +81,7 @@ TEST(StatedEffects, LimitsToWhatNoTrialHasAreReported) {
     auto const warned = [](std::string const& quantity, std::string const& waves, std::string const& body) {
         auto const text = testing::quick_waves + waves + testing::type_b + body + testing::levels("values=[6]\n")
                           + "[[limits]]\nname='far'\nquantity='" + quantity + "'\nabove=0.5\n";
-        return told(warnings_of(campaign_from(text)), "have no " + quantity + ", and so no verdict");
+        return told(warnings_of(campaign_from(text)), "have no " + quantity + ", and so no verdict unless");
     };
     char const* const across = "[waves.transverse]\nratio=1\n";
     for (auto const* const quantity : {"friction_demand", "friction_work", "rotation_at_peak"}) {
@@ -94,6 +94,9 @@ TEST(StatedEffects, LimitsToWhatNoTrialHasAreReported) {
         EXPECT_FALSE(warned(quantity, "", "friction=0.5\nbase={bedding='flat'}\n")) << quantity;
     }
     EXPECT_TRUE(warned("rotation_most", across, "friction=0.5\n"));
+    for (auto const* const quantity : {"yaw", "slip_path"}) {  // such a limit calls the model in space
+        EXPECT_FALSE(warned(quantity, "", "friction=0.5\nbase={shape='round'}\n")) << quantity;
+    }
 }
 
 TEST(StatedEffects, BasesAndComponentsThatTheyLeaveOutAreReported) {

@@ -90,6 +90,8 @@ TEST(Footing, KeysBesideAFileOutrankItsOwnOneByOne) {
     EXPECT_TRUE(rim.continuous());
     EXPECT_FALSE(rim.is_disc());
     EXPECT_EQ(rim.inner_radius_m, 0);
+    EXPECT_EQ(beside("base={bedding='flat'}\n").base.inner_radius_m, 0.25) << "the same bedding";
+    EXPECT_EQ(beside("base={shape='round'}\n").base.inner_radius_m, 0.25) << "the same shape";
     auto const points = beside("base={bedding='corners', points=64}\npad={strength='30 MPa'}\n");
     EXPECT_EQ(points.base.points, 64);
     EXPECT_EQ(points.pad.strength_pa, 30e6);

@@ -80,14 +80,15 @@ std::optional<double> read_bedding(Table const& given) {
 // A table beside a file outranks the file's keys one by one; another shape is another base.
 BasePlan read_base(Table const& given, BasePlan const& of_file, bool anew, int points_across) {
     auto base = of_file;
-    bool const keeps = !anew && !given.has("shape");
+    auto const shape = anew || given.has("shape") ? given.choice<BaseShape>(base_keys["shape"], shapes) : base.shape;
+    bool const keeps = !anew && shape == of_file.shape;
     if (!keeps) {
-        base = {.shape = given.choice<BaseShape>(base_keys["shape"], shapes)};
+        base = {.shape = shape};
     }
     bool const square = base.shape == BaseShape::square;
     bool const round = base.shape == BaseShape::round;
-    if ((!keeps || given.has("bedding")) && (square || round)) {  // points are those of a bedding
-        base = {.shape = base.shape, .points = square ? points_across : 0};
+    if (!keeps && (square || round)) {
+        base.points = square ? points_across : 0;
     }
     if (base.shape == BaseShape::polygon && (!keeps || given.has("corners"))) {
         base.corners_m.clear();
@@ -96,7 +97,11 @@ BasePlan read_base(Table const& given, BasePlan const& of_file, bool anew, int p
         }
     }
     if (given.has("bedding") || (square && !keeps)) {
-        base.corner_share = read_bedding(given);
+        auto const share = read_bedding(given);
+        if (round && share.has_value() != base.corner_share.has_value()) {  // points are a rim's, a hole is a disc's
+            base = {.shape = base.shape, .points = 0};
+        }
+        base.corner_share = share;
     }
     if (!square && base.corner_share != 1 && (!round || base.corner_share)) {
         given.fail("bedding", round ? "a round base bears on its rim (corners) or evenly (flat). State one of these"

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <tuple>
 #include <vector>
 
 #include "stats/detail/quotes.hpp"
@@ -69,7 +69,9 @@ std::optional<SeenBound> nearest_tenth(double intensity, FragilityData const& da
     struct Distance {  // beyond the intensity; of equally far ones the first
         double intensity;
         std::size_t trial;
-        auto operator<=>(Distance const&) const = default;
+        bool operator<(Distance const& other) const {
+            return std::tie(intensity, trial) < std::tie(other.intensity, other.trial);
+        }
     };
     std::vector<Distance> there;
     for (std::size_t i = 0; i < data.trials.size(); ++i) {
@@ -82,7 +84,7 @@ std::optional<SeenBound> nearest_tenth(double intensity, FragilityData const& da
         return std::nullopt;
     }
     auto const share = std::min(there.size(), std::max<std::size_t>(1, data.trials.size() / shares));
-    std::ranges::nth_element(there, there.begin() + static_cast<std::ptrdiff_t>(share - 1));
+    std::nth_element(there.begin(), there.begin() + static_cast<std::ptrdiff_t>(share - 1), there.end());
     there.resize(share);
     std::ranges::sort(there, {}, &Distance::trial);
     std::vector<SingleTrial> nearest;

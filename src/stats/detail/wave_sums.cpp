@@ -20,7 +20,7 @@ void add_cells(std::span<std::size_t const> first_of_group, std::span<CellCount 
         for (std::size_t g = 0; g + 1 < first_of_group.size(); ++g) {
             auto const often = SomeLanes::load(times.data() + g * lanes + lane);
             for (auto const& entry : entries.subspan(first_of_group[g], first_of_group[g + 1] - first_of_group[g])) {
-                double* const trials = sums.data() + 2 * entry.cell * lanes + lane;
+                double* const trials = sums.data() + std::size_t{2} * entry.cell * lanes + lane;
                 double* const overturned = trials + lanes;
                 (SomeLanes::load(trials) + often * static_cast<double>(entry.trials)).store(trials);
                 (SomeLanes::load(overturned) + often * static_cast<double>(entry.overturned)).store(overturned);
