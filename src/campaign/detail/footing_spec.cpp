@@ -82,13 +82,10 @@ BasePlan read_base(Table const& given, BasePlan const& of_file, bool anew, int p
     auto base = of_file;
     auto const shape = anew || given.has("shape") ? given.choice<BaseShape>(base_keys["shape"], shapes) : base.shape;
     bool const keeps = !anew && shape == of_file.shape;
+    bool const square = shape == BaseShape::square;
+    bool const round = shape == BaseShape::round;
     if (!keeps) {
-        base = {.shape = shape};
-    }
-    bool const square = base.shape == BaseShape::square;
-    bool const round = base.shape == BaseShape::round;
-    if (!keeps && (square || round)) {
-        base.points = square ? points_across : 0;
+        base = {.shape = shape, .points = square ? points_across : round ? 0 : BasePlan::points_across};
     }
     if (base.shape == BaseShape::polygon && (!keeps || given.has("corners"))) {
         base.corners_m.clear();
