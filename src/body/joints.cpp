@@ -120,8 +120,10 @@ std::vector<std::size_t> without_joint(std::span<BodyPart const> parts) {
         bool const joined = std::ranges::any_of(
             joints, [&](Joint const& joint) { return std::ranges::find(joint.parts, i) != joint.parts.end(); });
         bool const inside = std::ranges::any_of(solids, [&](Solid const& other) {
-            return &other != &solid && other.has_faces && other.bottom_m <= solid.bottom_m + close_m
-                   && other.top_m >= solid.top_m - close_m;
+            bool const wider = other.half_width_m > solid.half_width_m;
+            bool const taller = other.bottom_m < solid.bottom_m - close_m || other.top_m > solid.top_m + close_m;
+            return other.has_faces && (wider || (taller && other.half_width_m == solid.half_width_m))
+                   && other.bottom_m <= solid.bottom_m + close_m && other.top_m >= solid.top_m - close_m;
         });
         if (solid.has_faces && solid.bottom_m > close_m && !solid.standing.fastened && !joined && !inside) {
             places.push_back(i);

@@ -80,6 +80,19 @@ TEST(Joints, PartsThatMeetNothingAreNamed) {
     EXPECT_EQ(of(PointMass{40, 0.4}), Places{});
 }
 
+// A container reaches as far as its contents in height and in width.
+TEST(Joints, OnlyWhatIsWideEnoughHoldsContents) {
+    using Places = std::vector<std::size_t>;
+    auto const of = [](BodyPart const& first, BodyPart const& second) {
+        return without_joint(std::vector<BodyPart>{Box{20, 3.0, 0.35, 0.0}, first, second});
+    };
+    Cylinder const cask{40, 1.0, 2.0, 0.40};
+    EXPECT_EQ(of(cask, cask), (Places{1, 2})) << "two over one gap: neither holds the other";
+    EXPECT_EQ(of(cask, Cylinder{40, 0.8, 2.0, 0.40}), Places{1}) << "a liner as tall as its shell";
+    EXPECT_EQ(of(cask, Cylinder{1, 0.1, 3.0, 0.0}), Places{1}) << "a thin post beside it";
+    EXPECT_EQ(of(cask, Box{10, 2.0, 1.0, 0.8}), Places{1}) << "contents as wide as what holds them";
+}
+
 TEST(Joints, AreFastenedWhereAllThatStandsThereIs) {
     auto const of = [](bool cask, bool crate) {
         std::vector<BodyPart> const parts{Box{20, 3.0, 1.0, 0.0}, Cylinder{40, 0.5, 2.0, 1.0, {cask, {}}},
