@@ -29,12 +29,27 @@ bool is_physical(std::string_view key) {
     return (key.starts_with("waves.") || key.starts_with("bodies") || key.starts_with("levels.")) && !is_choice(key);
 }
 
+// "friction" holds "friction.static".
+bool holds(std::string_view key, std::string_view part) {
+    return part.starts_with(key) && (part.size() == key.size() || part[key.size()] == '.');
+}
+
+// A key beside a file outranks the file's own, and any outranks a default: what is outranked decides nothing.
+bool is_outranked(config::InputValue const& value, std::span<config::InputValue const> inputs) {
+    return std::ranges::any_of(inputs, [&](config::InputValue const& other) {
+        return other.basis != config::Basis::by_default
+               && (other.depth < value.depth || value.basis == config::Basis::by_default)
+               && (holds(other.key, value.key) || holds(value.key, other.key));
+    });
+}
+
 }  // namespace
 
 std::vector<config::InputValue> physical_inputs(CampaignSpec const& spec) {
     std::vector<config::InputValue> inputs;
-    std::ranges::copy_if(spec.inputs, std::back_inserter(inputs),
-                         [](config::InputValue const& value) { return is_physical(value.key); });
+    std::ranges::copy_if(spec.inputs, std::back_inserter(inputs), [&](config::InputValue const& value) {
+        return is_physical(value.key) && !is_outranked(value, spec.inputs);
+    });
     return inputs;
 }
 

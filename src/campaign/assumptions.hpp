@@ -14,7 +14,7 @@
 namespace overturn {
 
 /// The inputs of [waves], [[bodies]] and [levels] that stand for something: no names, no files, no choices of how much
-/// is computed.
+/// is computed, no key of a body's file that one beside the file outranks.
 [[nodiscard]] std::vector<config::InputValue> physical_inputs(CampaignSpec const& spec);
 
 /// Number of inputs by their basis.

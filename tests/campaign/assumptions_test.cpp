@@ -60,6 +60,32 @@ TEST(Assumptions, AreCountedByWhereValuesComeFrom) {
               "12 of 30 inputs are assumed, 9 published, 0 measured, 2 without a source, 7 defaults of this program");
 }
 
+// A key beside a body's file outranks the file's own: it is one input.
+TEST(Assumptions, WhatIsOutrankedIsNoInput) {
+    auto const inputs = [](std::string const& beside) {
+        std::string text;
+        for (auto const& input : physical_inputs(
+                 campaign_from(quick_waves + "[[bodies]]\nfile='b.toml'\n" + beside + levels,
+                               {{"b.toml",
+                                 "name='type-b'\nmass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\n"
+                                 "inertia='uniform-block'\nrestitution={value=0.77, basis='assumed'}\n"
+                                 "friction={static=0.7, kinetic=0.6, basis='assumed'}\n"
+                                 "pad={vertical_frequency='67 Hz', strength='30 MPa'}\n"}}))) {
+            if (input.key.starts_with("bodies[0].restitution") || input.key.starts_with("bodies[0].friction")
+                || input.key.starts_with("bodies[0].pad.vertical") || input.key.starts_with("bodies[0].axes")
+                || input.key.starts_with("bodies[0].pad.strength")) {
+                text += input.key.substr(10) + "=" + input.text + "\n";
+            }
+        }
+        return text;
+    };
+    EXPECT_EQ(inputs(""),
+              "restitution=0.77\nfriction.static=0.7\nfriction.kinetic=0.6\npad.vertical_frequency=67 Hz\n"
+              "pad.strength=30 MPa\naxes=3\n");
+    EXPECT_EQ(inputs("restitution=0.76\nfriction=0.5\npad={vertical_frequency='49 Hz'}\naxes=1\n"),
+              "restitution=0.76\npad.vertical_frequency=49 Hz\npad.strength=30 MPa\naxes=1\nfriction=0.5\n");
+}
+
 Bears bears(char const* name, std::string const& text) {
     auto const spec = campaign_from(text);
     for (auto const& one : model_assumptions()) {
