@@ -25,14 +25,14 @@ constexpr std::array channels{
 /// Instants of the kernel as rows of channels.
 class Shown : public ContactObserver {
   public:
-    explicit Shown(Observer& observer) : observer_(observer) {}
+    explicit Shown(Observer& observer) : rows_(observer, 1) {}
     void at(ContactInstant const& i) override {
-        observer_.at(std::array{i.time_s, i.rotation_rad, i.velocity_radps, i.sway_m, i.sway_mps, i.rise_m, i.rise_mps,
-                                i.contact_force_ratio, i.crush_m, i.slip_m});
+        rows_.at({i.time_s, i.rotation_rad, i.velocity_radps, i.sway_m, i.sway_mps, i.rise_m, i.rise_mps,
+                  i.contact_force_ratio, i.crush_m, i.slip_m});
     }
 
   private:
-    Observer& observer_;
+    UntilItLies<std::array<double, channels.size()>> rows_;
 };
 
 constexpr std::int64_t of_base = 3;

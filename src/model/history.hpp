@@ -1,8 +1,12 @@
 /// History of a trial, instant by instant.
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <span>
 #include <string_view>
+
+#include "core/units.hpp"
 
 namespace overturn {
 
@@ -25,6 +29,30 @@ class Observer {
     Observer(Observer&&) = delete;
     Observer& operator=(Observer&&) = delete;
     virtual ~Observer() = default;
+};
+
+/// Shows the steps of a falling body up to the instant at which it lies: of the step that passes a tilt of 90 degrees,
+/// what lies between its ends by linear interpolation. \tparam Row array of a step's values
+template <class Row> class UntilItLies {
+  public:
+    UntilItLies(Observer& observer, std::size_t tilt) : observer_(observer), tilt_(tilt) {}
+
+    void at(Row row) {
+        double const tilt = std::abs(row[tilt_]);
+        if (double const before = std::abs(before_[tilt_]); tilt > pi / 2 && before < pi / 2) {
+            double const share = (pi / 2 - before) / (tilt - before);
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                row[i] = before_[i] + share * (row[i] - before_[i]);
+            }
+        }
+        before_ = row;
+        observer_.at(row);
+    }
+
+  private:
+    Observer& observer_;
+    std::size_t tilt_;
+    Row before_{};
 };
 
 }  // namespace overturn

@@ -41,15 +41,18 @@ constexpr std::array channels{Channel{"time_s"},      Channel{"tilt_rad"},
 /// Instants of the kernel as rows of channels.
 class Shown : public SpatialObserver {
   public:
-    explicit Shown(Observer& observer) : observer_(observer) {}
+    explicit Shown(Observer& observer) : rows_(observer, 1) {}
     void at(SpatialInstant const& i) override {
         auto const [about_x, about_y] = i.tilts_rad();
-        observer_.at(std::array{i.time_s, i.tilt_rad(), i.azimuth_rad(), about_x, about_y, i.yaw_rad, i.x_m, i.y_m,
-                                i.rise_m, i.contact_force_ratio, i.crush_m});
+        double const jump = std::abs(i.azimuth_rad() - azimuth_rad_) > pi ? std::copysign(2 * pi, azimuth_rad_) : 0;
+        azimuth_rad_ = i.azimuth_rad() + (i.tilt_rad() > pi / 2 ? jump : 0);  // as near as can be to the step before
+        rows_.at({i.time_s, i.tilt_rad(), azimuth_rad_, about_x, about_y, i.yaw_rad, i.x_m, i.y_m, i.rise_m,
+                  i.contact_force_ratio, i.crush_m});
     }
 
   private:
-    Observer& observer_;
+    UntilItLies<std::array<double, channels.size()>> rows_;
+    double azimuth_rad_ = 0;
 };
 
 /// What the shaking can do to a body at rest.

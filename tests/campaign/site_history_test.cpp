@@ -62,12 +62,12 @@ struct Case {
 
 class SiteHistoryOf : public ::testing::TestWithParam<Case> {};
 
-/// The least of a history until its body lies: a row ends there, a history one step later.
+/// The least of a history before its body lies: a row ends with the last step before that.
 double least_standing(Kept const& kept, std::string const& key) {
     auto const& tilts = kept.columns.at(kept.columns.contains("tilt_rad") ? "tilt_rad" : "rotation_rad");
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < tilts.size(); ++i) {
-        least = std::abs(tilts[i]) <= pi / 2 ? std::min(least, kept.columns.at(key)[i]) : least;
+        least = std::abs(tilts[i]) < pi / 2 - 1e-12 ? std::min(least, kept.columns.at(key)[i]) : least;
     }
     return least;
 }

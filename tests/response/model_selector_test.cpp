@@ -3,6 +3,9 @@
 #include "response/model_selector.hpp"
 
 #include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -388,6 +391,49 @@ TEST(ModelSelector, ShowsTheModelThatAnswered) {
     selector.show(failed, selector.respond(failed), nothing);
     EXPECT_EQ(nothing.width, 7U);
     EXPECT_EQ(nothing.instants, 0U);
+}
+
+// on points and in space too a history ends where the body lies: at 90 degrees, when it overturned, and towards
+// where it fell.
+TEST(ModelSelector, ShowsNothingBelowTheGround) {
+    struct Last : Observer {
+        void begin(std::span<Channel const> /*channels*/) override {}
+        void at(std::span<double const> values) override {
+            before = std::move(last);
+            last.assign(values.begin(), values.end());
+        }
+        std::vector<double> before, last;
+    };
+    Footing on_bed;
+    on_bed.stated = true;
+    on_bed.base.corner_share = 0.4;
+    on_bed.pad.match_restitution = false;
+    auto on_rim = on_bed;
+    on_rim.base = {.shape = BaseShape::round, .points = 0};
+    std::vector<double> push(400, 0.0);
+    for (std::size_t i = 0; i < 200; ++i) {
+        push[i] = 12 * std::sin(pi * 0.01 * static_cast<double>(i));
+    }
+    for (double const sign : {1.0, -1.0}) {
+        GroundMotion motion;
+        motion.time_step_s = 0.01;
+        motion.horizontal_mps2 = push;
+        for (auto const* const footing : {&on_bed, &on_rim}) {
+            Scene const scene{body, std::nullopt, *footing};
+            SceneTrial const trial{scene, motion, sign};
+            ModelSelector const selector({EffectMode::automatic, 0});
+            auto const response = selector.respond(trial);
+            ASSERT_EQ(response.verdict, Verdict::overturned);
+            Last seen;
+            selector.show(trial, response, seen);
+            EXPECT_NEAR(std::abs(seen.last[1]), pi / 2, 1e-12);
+            EXPECT_LE(seen.last[0], response.overturn_time_s);  // the end of the step in which it passed
+            EXPECT_NEAR(seen.last[0], response.overturn_time_s, 1e-3);
+            for (std::size_t i = 2; i < seen.last.size(); ++i) {
+                EXPECT_NEAR(seen.last[i], seen.before[i], 0.05) << "channel " << i;
+            }
+        }
+    }
 }
 
 TEST(Registry, NumbersBitsAndNamesAreEachTheirOwn) {
