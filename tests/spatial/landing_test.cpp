@@ -196,6 +196,36 @@ TEST(Landing, BalancesTheWorkOfTheGround) {
     }
 }
 
+// Neither too little nor too much: on ice, on a pad that takes nothing, all work of the ground is found again, of
+// bodies that stand and of those that fall.
+TEST(Landing, LosesNothingWhereNothingTakes) {
+    auto const waves = testing::noises(3);
+    double const whole = g0 * body_a().half_width_m();
+    for (auto footing : {round_base(), round_base(64), square_base(), square_base(0.1)}) {
+        footing.pad.normal_restitution = 1;
+        auto const block = standing(body_a(), footing, 0);
+        for (double const lean : {0.4, 1.1}) {
+            double const tilt = lean * body_a().alpha_rad();
+            double azimuth = 0.3;
+            for (auto const& wave : waves) {
+                auto const shaking = wave.shaking(9);
+                WorkOfTheGround seen(shaking.excitation());
+                ContactAccuracy const accuracy{.step_ratio = 0.05, .longest_after_s = 0, .rest_gate = false};
+                azimuth += 2;
+                auto const out =
+                    shaken(block, shaking, accuracy, &seen,
+                           SpatialStart{.rise_m = block.reach_m * std::sin(tilt)
+                                                  - block.planar.centre_height_m * (1 - std::cos(tilt)),
+                                        .rotation_rad = {-tilt * std::sin(azimuth), tilt * std::cos(azimuth), 0}});
+                EXPECT_LT(std::abs(seen.lost()), 1e-3 * whole) << lean;
+                if (lean > 1) {
+                    EXPECT_EQ(out.verdict, Verdict::overturned);
+                }
+            }
+        }
+    }
+}
+
 // Pushed one way only, a base slides the other way; its circle reaches that much farther, and its top goes along.
 TEST(WhereTheBaseGoes, HasASign) {
     std::vector<double> x = constant(4, 101);

@@ -101,8 +101,8 @@ void SpatialRun::fill_points() {
     }
     for (int i = 0; i < lane_.points; ++i) {
         auto const& point = block_.points[i];
-        lane_.at(Spot::x, i, 0) = lane_.at(Spot::anchor_x, i, 0) = point.x_m;
-        lane_.at(Spot::y, i, 0) = lane_.at(Spot::anchor_y, i, 0) = point.y_m;
+        lane_.at(Spot::x, i, 0) = point.x_m;
+        lane_.at(Spot::y, i, 0) = point.y_m;
         lane_.at(Spot::stiffness, i, 0) = point.stiffness_share * w * w;
         lane_.at(Spot::yield, i, 0) = planar_.yield_depth_m;
         lane_.at(Spot::gain, i, 0) = get(State::damping) / planar_.approach_floor_mps();
@@ -124,6 +124,11 @@ void SpatialRun::place(SpatialStart const& start) {
     put(State::most_tilt, half_tilt_sine2());
     put(State::most_rise, get(State::rise));
     auto const [x, y] = base_centre();
+    for (int i = 0; i < lane_.points; ++i) {  // springs start unstretched
+        auto const point = placed(i);
+        lane_.at(Spot::anchor_x, i, 0) = x + point.x;
+        lane_.at(Spot::anchor_y, i, 0) = y + point.y;
+    }
     put(State::base_x, x);
     put(State::base_y, y);
     put(State::most_x, x + block_.reach_m);
