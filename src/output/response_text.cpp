@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "core/wrapped.hpp"
 #include "output/record_text.hpp"
 #include "response/registry.hpp"
 
@@ -54,6 +55,83 @@ std::string_view summary_of_reason(std::int64_t number) {
 
 std::string time_text(double time_s) { return std::isnan(time_s) ? "never" : fmt::format("at {:.3f} s", time_s); }
 
+// A column of the model that answered, in the units of the body.
+std::string column_text(Field const& field, std::span<std::byte const> values, TypedUnits const& units) {
+    double const value = field.type == FieldType::real ? real_at(values, field) : 0;
+    auto const number = field.type != FieldType::real ? value_json(values, field).dump()
+                        : field.units == "m"   ? fmt::format("{:.4g} {}", value / units.slip.si, units.slip.symbol)
+                        : field.units == "rad" ? fmt::format("{:.4g} deg", value * 180 / pi)
+                        : field.units == "1"   ? fmt::format("{:.4g}", value)
+                                               : fmt::format("{:.4g} {}", value, field.units);
+    return std::isnan(value) ? std::string()
+                             : wrapped(fmt::format("{:<25}{}: {}", field.name, number, field.description), 25);
+}
+
+// Of the model that answered: a base on points, a rim or a disc has a restitution of its own.
+double restitution_of(OneResponse const& of) {
+    for (auto const& [traits, offset] : of.selector.extra_parts()) {
+        auto const found = std::ranges::find(traits->fields, "restitution", &Field::name);
+        if (traits->number == of.response.model && found != traits->fields.end()) {
+            return real_at(of.own.subspan(offset), *found);
+        }
+    }
+    return of.spec.body.restitution();
+}
+
+std::string body_text(OneResponse const& of, ShownVelocity const& unit) {
+    auto const& b = of.spec.body;
+    auto const& acceleration = of.spec.units.acceleration;
+    return fmt::format(
+        "body             {}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} {}, V_Ereq {}\n",
+        of.spec.name, b.alpha_rad() * 180 / pi, b.p_radps(), restitution_of(of),
+        b.uplift_acceleration_mps2() / acceleration.si, acceleration.symbol, unit.text(b.limit_velocity_mps()));
+}
+
+// How it moved, what most concerns its safety first.
+std::string moved_text(OneResponse const& of, ShownVelocity const& unit) {
+    auto const& r = of.response;
+    auto const& slip = of.spec.units.slip;
+    auto text =
+        fmt::format("peak rotation    {:.4g} deg = {:.6g} rad = {:.4f} alpha, {}\n", r.peak_rotation_rad * 180 / pi,
+                    r.peak_rotation_rad, r.peak_rotation_ratio, time_text(r.time_of_peak_s));
+    text += fmt::format("slip             {:.6g} {} at most, {:.6g} {} at the end\n", r.peak_slip_m / slip.si,
+                        slip.symbol, r.residual_slip_m / slip.si, slip.symbol);
+    if (entry_of(r.verdict).fell) {
+        text += fmt::format("overturned       {}, lies with {:.4g} rad/s", time_text(r.overturn_time_s),
+                            r.landing_spin_radps);
+        text +=
+            std::isnan(r.landing_velocity_mps)
+                ? std::string(" (it left the ground: its velocity is not known)\n")
+                : fmt::format(", its centre of gravity with {}, its top with {}, {:.4g} kJ per t\n",
+                              unit.text(r.landing_velocity_mps), unit.text(r.landing_top_mps), r.landing_energy_jpkg);
+    }
+    text += fmt::format("uplift           first {}, {} impacts, off the ground {}\n", time_text(r.first_uplift_s),
+                        r.impacts, time_text(r.contact_lost_s));
+    text += fmt::format("V_resp           {}\n", unit.text(r.response_velocity_mps));
+    text += fmt::format("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
+    text += fmt::format("friction demand  {}, least contact force {:.4f} m g\n",
+                        std::isnan(r.friction_demand) ? "unknown" : fmt::format("{:.4f}", r.friction_demand),
+                        r.min_contact_force_ratio);
+    return text
+           + wrapped(fmt::format("effects          {} (required: {}); {}",
+                                 names_of_effects(static_cast<EffectMask>(r.effects)),
+                                 names_of_effects(static_cast<EffectMask>(r.called)), summary_of_reason(r.reason)),
+                     17);
+}
+
+// What the model that answered knows besides.
+std::string columns_text(OneResponse const& of) {
+    std::string text;
+    for (auto const& [traits, offset] : of.selector.extra_parts()) {
+        if (traits->number == of.response.model) {
+            for (auto const& field : traits->fields) {
+                text += column_text(field, of.own.subspan(offset), of.spec.units);
+            }
+        }
+    }
+    return text;
+}
+
 }  // namespace
 
 Json json_of(OneResponse const& of) {
@@ -77,11 +155,11 @@ Json json_of(OneResponse const& of) {
 
 std::string text_of(OneResponse const& of, ShownVelocity const& unit) {
     auto const& [spec, record, drift, r, selector, own] = of;
-    auto const& b = spec.body;
-    auto text = fmt::format("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} {}, V_Ereq {}\n",
-                            spec.name, b.alpha_rad() * 180 / pi, b.p_radps(), b.restitution(),
-                            b.uplift_acceleration_mps2() / spec.units.acceleration.si, spec.units.acceleration.symbol,
-                            unit.text(b.limit_velocity_mps()));
+    auto text = fmt::format("verdict          {}\n", entry_of(r.verdict).name);
+    if (!std::isnan(r.peak_rotation_rad)) {  // else no model ran it: the error says why
+        text += moved_text(of, unit);
+    }
+    text += body_text(of, unit);
     text += fmt::format("read as          {}\n", record.read_as());
     for (auto const& claim : record.claims) {
         if (claim.starts_with("left out: ")) {
@@ -93,40 +171,7 @@ std::string text_of(OneResponse const& of, ShownVelocity const& unit) {
     }
     text += fmt::format("wave             {}{}\n", drift.text(),
                         drift.any_excessive() ? ": its baseline drifts, correct it with --baseline" : "");
-    text += fmt::format("verdict          {}\n", entry_of(r.verdict).name);
-    if (std::isnan(r.peak_rotation_rad)) {
-        return text;  // no model ran it: the error says why
-    }
-    text += fmt::format("peak rotation    {:.6g} rad = {:.4g} deg = {:.4f} alpha, {}\n", r.peak_rotation_rad,
-                        r.peak_rotation_rad * 180 / pi, r.peak_rotation_ratio, time_text(r.time_of_peak_s));
-    text += fmt::format("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
-    text += fmt::format("V_resp           {}\n", unit.text(r.response_velocity_mps));
-    text += fmt::format("first uplift     {}, {} impacts\n", time_text(r.first_uplift_s), r.impacts);
-    text += fmt::format("overturned       {}, off the ground {}\n", time_text(r.overturn_time_s),
-                        time_text(r.contact_lost_s));
-    auto const& slip = spec.units.slip;
-    text += fmt::format("slip             {:.6g} {} at most, {:.6g} {} at the end\n", r.peak_slip_m / slip.si,
-                        slip.symbol, r.residual_slip_m / slip.si, slip.symbol);
-    text += fmt::format("friction demand  {}, least contact force {:.4f} m g\n",
-                        std::isnan(r.friction_demand) ? "unknown" : fmt::format("{:.4f}", r.friction_demand),
-                        r.min_contact_force_ratio);
-    text +=
-        fmt::format("effects          {} (required: {}); {}\n", names_of_effects(static_cast<EffectMask>(r.effects)),
-                    names_of_effects(static_cast<EffectMask>(r.called)), summary_of_reason(r.reason));
-    for (auto const& [traits, offset] : selector.extra_parts()) {
-        if (traits->number != r.model) {
-            continue;
-        }
-        for (auto const& field : traits->fields) {
-            auto const values = own.subspan(offset);
-            auto const degrees = field.units == "rad" && std::isfinite(real_at(values, field))
-                                     ? fmt::format(" = {:.4g} deg", real_at(values, field) * 180 / pi)
-                                     : std::string();
-            text += fmt::format("{:<25}{} {}{}: {}\n", field.name, value_json(values, field).dump(),
-                                field.units == "1" ? "" : field.units, degrees, field.description);
-        }
-    }
-    return text;
+    return text + columns_text(of);
 }
 
 }  // namespace overturn::output

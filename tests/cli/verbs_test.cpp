@@ -63,15 +63,18 @@ TEST_F(Verbs, RockPrintsAnglesInDegrees) {
                  "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n"
                  "friction=0.5\nbase={shape='round'}\n");
     auto const told = done({"rock", "--body", "round.toml", "--wave", "sine.csv", "--unit", "g"}).out;
+    EXPECT_TRUE(told.starts_with("verdict ")) << "the answer first: " << told;
     double rotation = 0, degrees = 0;
     ASSERT_EQ(
-        std::sscanf(told.c_str() + told.find("peak rotation"), "peak rotation %lf rad = %lf deg", &rotation, &degrees),
+        std::sscanf(told.c_str() + told.find("peak rotation"), "peak rotation %lf deg = %lf rad", &degrees, &rotation),
         2)
         << told;
     EXPECT_NEAR(degrees, rotation * 180 / 3.14159265358979, 1e-3 * degrees);
     auto const yaw = told.find("peak_yaw");
     ASSERT_NE(yaw, std::string::npos) << told;
-    EXPECT_NE(told.substr(yaw, told.find(':', yaw) - yaw).find(" rad = "), std::string::npos) << told;
+    EXPECT_NE(told.substr(yaw, told.find(':', yaw) - yaw).find(" deg"), std::string::npos) << told;
+    EXPECT_EQ(told.find("landing_azimuth"), std::string::npos) << "it stands: " << told;
+    EXPECT_EQ(told.find("e 0.7648"), std::string::npos) << "Housner's is not its restitution: " << told;
 }
 
 TEST_F(Verbs, RockJson) {
