@@ -17,7 +17,9 @@ struct BasePlan {
     /// A round rim where it stands as points: on a pad that yields, in a plane. On 64, 128 and 256, turned or not, as
     /// many bodies fall; the way of slip under one pulse depends on the direction, up to 3.3, 1.3 and 1.2 times.
     static constexpr int points_around = 64;
-    static constexpr int most_points_around = 256;  ///< in space; a plane takes points_around at most
+    static constexpr int fewest_points_around = 16;  ///< fewer would roll from point to point
+    static constexpr int most_points_around = 256;   ///< in space; a plane takes points_around at most
+    static constexpr int most_points_across = 41;
     /// Points across a square bed that a body which moves in space stands on at most; a finer one counts as this.
     static constexpr int most_across_in_space = 16;
 
@@ -52,6 +54,7 @@ struct Pad {
     double tangential_damping = 0.3;         ///< zeta_t, fraction of critical
     /// Whether base and points are tuned until the body rocks with the restitution that it states.
     bool match_restitution = true;
+    bool match_is_stated = false;
 };
 
 /// A base and points that rock as their body states, as nearly as any do.
@@ -71,6 +74,8 @@ struct Footing {
     std::optional<double> inertia_across_kgm2 = {}, inertia_vertical_kgm2 = {};
     /// Of a continuous rim that stands as points because its pad yields.
     bool rim_as_points = false;
+    /// A match was asked for, but no restitution to match was stated, and the base has one that emerges.
+    bool match_has_no_aim = false;
     /// Whether base or pad were stated at all: a body that says nothing stands on a square base on its corners.
     bool stated = false;
 };

@@ -134,7 +134,7 @@ void validate_draws(Table const& table, BodySpec const& spec) {
 }
 
 // The keys that outrank what the body's parts or file say.
-void read_uncertain(Table const& table, BodySpec& spec, int points_across) {
+void read_uncertain(Table const& table, BodySpec& spec, bool before_format_5) {
     if (table.kind("mass") == Kind::table) {
         spec.scatter.mass = read_distribution(table, body_keys["mass"]);
         set_mass(spec.stated, spec.scatter.mass->centre());
@@ -150,7 +150,7 @@ void read_uncertain(Table const& table, BodySpec& spec, int points_across) {
         read_friction(table, spec);
     }
     read_placement(table, spec);
-    read_footing(table, spec.stated_footing, points_across);
+    read_footing(table, spec.stated_footing, before_format_5);
     spec.axes = static_cast<int>(table.integer(body_keys["axes"], {.otherwise = spec.axes}));
     table.finish();
 }
@@ -163,7 +163,7 @@ void settle(Table const& table, BodySpec& spec) {
     settle_footing(table, spec);
 }
 
-BodySpec read_stated(Table const& table, std::string name, int points_across) {
+BodySpec read_stated(Table const& table, std::string name, bool before_format_5) {
     std::vector<BodyPart> parts;
     auto stated = read_shape(table, parts);
     stated.gravity_mps2 = table.number(body_keys["gravity"]);
@@ -177,8 +177,8 @@ BodySpec read_stated(Table const& table, std::string name, int points_across) {
     }
     BodySpec spec{std::move(name), stated, scaling, body, {}, {}, 3, {}, {}, {}};
     spec.parts = with_lengths(std::move(parts), length_factor(scaling));
-    spec.stated_footing.base.points = points_across;
-    read_uncertain(table, spec, points_across);
+    spec.stated_footing.base.points = usual_points_across(before_format_5);
+    read_uncertain(table, spec, before_format_5);
     return spec;
 }
 
@@ -216,10 +216,9 @@ DrawnBody with(BodySpec const& spec, Values const& values) {
 }  // namespace
 
 BodySpec read_body(Table const& table, InputFiles& files) {
-    int const points_across =
-        files.are_before_format_5() ? BasePlan::points_across_before_format_5 : BasePlan::points_across;
+    bool const old = files.are_before_format_5();
     if (!table.has("file")) {
-        auto spec = read_stated(table, table.text(body_keys["name"], "body"), points_across);
+        auto spec = read_stated(table, table.text(body_keys["name"], "body"), old);
         settle(table, spec);
         return spec;
     }
@@ -228,7 +227,7 @@ BodySpec read_body(Table const& table, InputFiles& files) {
     auto const inner =
         table.named_document(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
     auto spec = config::with_all_faults(inner, [&] {
-        auto stated = read_stated(inner, inner.text(body_keys["name"], "body"), points_across);
+        auto stated = read_stated(inner, inner.text(body_keys["name"], "body"), old);
         if (!table.has("restitution") && !table.has("base") && !table.has("pad")) {
             settle(inner, stated);  // faults of the file alone are reported there
         }
@@ -237,7 +236,7 @@ BodySpec read_body(Table const& table, InputFiles& files) {
     if (!name.empty()) {
         spec.name = name;
     }
-    read_uncertain(table, spec, points_across);
+    read_uncertain(table, spec, old);
     settle(table, spec);
     return spec;
 }

@@ -223,6 +223,11 @@ constexpr std::array body_ranges{
 std::vector<std::string> warnings_of(BodySpec const& body) {
     auto lines = unusual(body, std::span<OfBody const>(body_ranges));
     std::ranges::move(loose_parts(body), std::back_inserter(lines));
+    if (body.footing.match_has_no_aim) {
+        lines.emplace_back(
+            "pad.match_restitution = true changes nothing: no restitution is stated, and this base has one that "
+            "follows from its shape and pad. State restitution, or leave the key out");
+    }
     for (auto& line : lines) {
         line.insert(0, body.name + ": ");
     }

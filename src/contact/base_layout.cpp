@@ -27,9 +27,9 @@ void validate_pad(Pad const& pad) {
 // A rim as the rocking plane sees it: points on either side of the plane coincide in pairs, as one of twice the share.
 std::vector<ContactPoint> rim(int around, double radius_m) {
     validate(
-        around >= 16 && around <= BasePlan::most_points_around && around % 4 == 0,
-        "a round base of {} points (it takes 16 to {}, a multiple of 4). Leave them out: its rim is then continuous",
-        around, BasePlan::most_points_around);
+        around >= BasePlan::fewest_points_around && around <= BasePlan::most_points_around && around % 4 == 0,
+        "a round base of {} points (it takes {} to {}, a multiple of 4). Leave them out: its rim is then continuous",
+        around, BasePlan::fewest_points_around, BasePlan::most_points_around);
     around = std::min(around, BasePlan::points_around);
     std::vector<ContactPoint> points;
     for (int i = around / 2; i >= 0; --i) {

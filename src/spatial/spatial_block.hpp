@@ -13,7 +13,7 @@ namespace overturn {
 /// Points of a base at most: a flat square bed of 16 x 16, a rim or a polygon of 256.
 inline constexpr int most_spatial_points = 256;
 /// Least number of points on a rim: fewer would give it directions of its own.
-inline constexpr int fewest_rim_points = 16;
+inline constexpr int fewest_rim_points = BasePlan::fewest_points_around;
 
 struct SpatialPoint {
     double x_m = 0, y_m = 0;     ///< from the body's axis

@@ -1,5 +1,6 @@
 // Requirement R-603: base and pad of a body file mean what they say, scale with the body, and are refused at their key
 // where nothing can stand on them or rock as stated.
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
@@ -7,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "campaign/body_spec.hpp"
+#include "campaign/warnings.hpp"
 #include "support/expect_input_error.hpp"
 
 namespace overturn {
@@ -104,6 +106,42 @@ TEST(Footing, KeysBesideAFileOutrankItsOwnOneByOne) {
     testing::expect_input_error([&] { (void)beside("base={points=64}\n"); }, "b.toml:2:", "without points");
 }
 
+// Results files before format 5 keep what they computed: there a table beside a file left nothing of the file's.
+TEST(Footing, ATableBesideAFileLeftNothingBeforeFormat5) {
+    auto const beside = [](bool old) {
+        InputFiles files(std::map<std::string, std::string>{
+            {"a.toml",
+             "mass='12.6 t'\nbase_width='1.36 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n"
+             "base={bedding='flat', points=21}\npad={vertical_frequency='67 Hz', strength='30 MPa'}\n"}});
+        files.read_as_before_format_5(old);
+        return read_body(
+                   config::Table::parse("file='a.toml'\nbase={bedding=0.5}\npad={tangential_ratio=0.7}\n", "b.toml"),
+                   files)
+            .footing;
+    };
+    EXPECT_EQ(beside(true).base.points, 11);
+    EXPECT_EQ(beside(true).pad.vertical_frequency_hz, 98);
+    EXPECT_FALSE(beside(true).pad.strength_pa);
+    EXPECT_EQ(beside(false).base.points, 21);
+    EXPECT_EQ(beside(false).pad.vertical_frequency_hz, 67);
+    EXPECT_EQ(beside(false).pad.strength_pa, 30e6);
+}
+
+// A key that does nothing is warned of.
+TEST(Footing, AMatchWithoutARestitutionIsWarnedOf) {
+    auto const warned = [](std::string const& keys) {
+        auto const lines = warnings_of(read(keys));
+        return std::ranges::any_of(
+            lines, [](auto const& line) { return line.find("pad.match_restitution") != std::string::npos; });
+    };
+    EXPECT_TRUE(warned("base={shape='round'}\npad={match_restitution=true}\n"));
+    EXPECT_TRUE(warned("base={bedding='flat'}\npad={match_restitution=true}\n"));
+    EXPECT_FALSE(warned("base={shape='round'}\n"));
+    EXPECT_FALSE(warned("base={shape='round'}\npad={match_restitution=false}\n"));
+    EXPECT_FALSE(warned("restitution=0.72\nbase={shape='round'}\npad={match_restitution=true}\n"));
+    EXPECT_FALSE(warned("pad={match_restitution=true}\n")) << "corners are matched to Housner's";
+}
+
 TEST(Footing, OnlyAStatedRestitutionTunesABed) {
     EXPECT_FALSE(read("base={bedding='flat'}\n").footing.pad.match_restitution);
     EXPECT_FALSE(read("base={bedding='flat'}\nrestitution='housner'\n").footing.pad.match_restitution);
@@ -146,6 +184,8 @@ TEST(Footing, WhatCannotStandIsRefusedAtItsKey) {
     refused("base={bedding='soft'}\n", "soft", "corners");
     refused("base={shape='oval'}\n", "oval", "round");
     refused("base={points=1}\n", "points");
+    refused("base={points=42}\n", "points", "2 to 41");
+    refused("base={shape='round', points=12}\n", "16 to 256");
     refused("base={shape='round', bedding=0.5}\n", "bedding", "rim (corners) or evenly (flat)");
     refused("base={shape='round', bedding='flat', points=32}\n", "points", "without points");
     refused("base={shape='round', inner_diameter='1 m'}\n", "inner_diameter", "bedding = \"flat\"");
@@ -156,7 +196,7 @@ TEST(Footing, WhatCannotStandIsRefusedAtItsKey) {
     refused("base={shape='polygon', bedding='flat', corners=[[0.68,0.68],[-0.68,0.68],[-0.68,-0.68],[0.68,-0.68]]}\n",
             "bedding", "polygon");
     refused("base={shape='round', points=18}\n", "multiple of 4");
-    refused("base={shape='round', points=260}\n", "16 to 256");
+    refused("base={shape='round', points=260}\n", "2 to 256");
     refused("base={width=3}\n", "width");
     refused("base={shape='polygon'}\n", "corners");
     refused("base={shape='polygon', corners=[[0.68,0.68],[-0.68,0.68]]}\n", "2 corners");

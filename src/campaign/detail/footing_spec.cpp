@@ -37,9 +37,9 @@ constexpr config::Keys base_keys{
     config::pairs_key("corners", Dimension::length, Dimension::length, "[x, y] of the corners of a convex polygon")
         .only("shape = polygon"),
     config::integer_key(
-        "points", 2, 1000,
-        "points from corner to corner; of a round base 16 to 256 round its rim (64 at most in a plane), "
-        "whose directions then differ")
+        "points", 2, BasePlan::most_points_around,
+        "2 to 41 points from corner to corner; of a round base 16 to 256 round its rim (64 at most in a plane), whose "
+        "directions then differ")
         .otherwise_said("15; round base: continuous rim, or 64 points on a pad with a strength")
         .only("shape = square or round")};
 constexpr config::KeyTable base_table{.meaning = "the base that a body stands on", .keys = base_keys.all};
@@ -77,15 +77,30 @@ std::optional<double> read_bedding(Table const& given) {
     return given.choice<bool>(base_keys["bedding"], beddings) ? std::optional(1.0) : std::nullopt;
 }
 
-// A table beside a file outranks the file's keys one by one; another shape is another base.
-BasePlan read_base(Table const& given, BasePlan const& of_file, bool anew, int points_across) {
+int read_points(Table const& given, bool round) {
+    auto const points = static_cast<int>(given.integer(base_keys["points"], {}));
+    if (round && (points < BasePlan::fewest_points_around || points % 4 != 0)) {
+        given.fail("points", fmt::format("{} (a round base takes {} to {}, a multiple of 4). Leave it out: its rim is "
+                                         "then continuous",
+                                         points, BasePlan::fewest_points_around, BasePlan::most_points_around));
+    }
+    if (!round && points > BasePlan::most_points_across) {
+        given.fail("points", fmt::format("{} (a square base takes 2 to {} from corner to corner). Leave it out: {}",
+                                         points, BasePlan::most_points_across, BasePlan::points_across));
+    }
+    return points;
+}
+
+// A table beside a file outranks the file's keys one by one; another shape is another base. Before format 5 it was
+// another base whatever it stated.
+BasePlan read_base(Table const& given, BasePlan const& of_file, bool anew, bool before_format_5) {
     auto base = of_file;
     auto const shape = anew || given.has("shape") ? given.choice<BaseShape>(base_keys["shape"], shapes) : base.shape;
     bool const keeps = !anew && shape == of_file.shape;
     bool const square = shape == BaseShape::square;
     bool const round = shape == BaseShape::round;
     if (!keeps) {
-        base = {.shape = shape, .points = square ? points_across : round ? 0 : BasePlan::points_across};
+        base = {.shape = shape, .points = round ? 0 : usual_points_across(before_format_5)};
     }
     if (base.shape == BaseShape::polygon && (!keeps || given.has("corners"))) {
         base.corners_m.clear();
@@ -115,8 +130,8 @@ BasePlan read_base(Table const& given, BasePlan const& of_file, bool anew, int p
         }
         base.inner_radius_m = 0.5 * given.number(base_keys["inner_diameter"]);
     }
-    if (base.shape != BaseShape::polygon) {
-        base.points = static_cast<int>(given.integer(base_keys["points"], {.otherwise = base.points}));
+    if (base.shape != BaseShape::polygon && given.has("points")) {
+        base.points = read_points(given, round);
     }
     given.finish();
     return base;
@@ -135,6 +150,7 @@ Pad read_pad(Table const& given, Pad pad, bool anew) {
     number(pad_keys["tangential_damping"], pad.tangential_damping);
     if (anew || given.has("match_restitution")) {
         pad.match_restitution = given.boolean(pad_keys["match_restitution"]);
+        pad.match_is_stated = given.has("match_restitution");
     }
     given.finish();
     return pad;
@@ -189,17 +205,21 @@ void validate_width(Table const& table, RigidBody const& body, SpatialBlock cons
 
 constinit config::KeyTable const footing_table{.meaning = "what a body stands on", .keys = footing_keys.all};
 
-void read_footing(Table const& table, Footing& footing, int points_across) {
+int usual_points_across(bool before_format_5) {
+    return before_format_5 ? BasePlan::points_across_before_format_5 : BasePlan::points_across;
+}
+
+void read_footing(Table const& table, Footing& footing, bool before_format_5) {
     if (std::exchange(footing.rim_as_points, false)) {
         footing.base.points = 0;  // as its file says, for whatever pad this states
     }
-    bool const anew = !footing.stated;
+    bool const anew = !footing.stated || before_format_5;
     if (table.has("base")) {
-        footing.base = read_base(table.child(footing_keys["base"]), footing.base, anew, points_across);
+        footing.base = read_base(table.child(footing_keys["base"]), footing.base, anew, before_format_5);
         footing.stated = true;
     }
     if (table.has("pad")) {
-        footing.pad = read_pad(table.child(footing_keys["pad"]), footing.pad, anew);
+        footing.pad = read_pad(table.child(footing_keys["pad"]), anew ? Pad{} : footing.pad, anew);
         footing.stated = true;
     }
     if (footing.base.continuous() && !footing.base.is_disc() && footing.pad.strength_pa) {
@@ -221,6 +241,7 @@ void settle_footing(Table const& table, BodySpec& spec) {
     bool const states_restitution = spec.stated.restitution.has_value();
     bool const of_its_own = base.shape == BaseShape::round || base.is_bed();
     if (of_its_own && !states_restitution) {
+        footing.match_has_no_aim = footing.pad.match_restitution && footing.pad.match_is_stated;
         footing.pad.match_restitution = false;  // a bed or a rim has a restitution of its own
     }
     if (!footing.stated && !footing.inertia_across_kgm2 && !footing.inertia_vertical_kgm2) {

@@ -9,8 +9,11 @@ namespace overturn {
 /// Keys base, pad and the inertias of a body in space.
 extern config::KeyTable const footing_table;
 
-/// Keys that are not there leave what stands. \param points_across of a square base that states none \throws InputError
-void read_footing(config::Table const& table, Footing& footing, int points_across);
+/// Points from corner to corner of a square base that states none.
+[[nodiscard]] int usual_points_across(bool before_format_5);
+
+/// Keys that are not there leave what stands. Before format 5 a table beside a file left nothing. \throws InputError
+void read_footing(config::Table const& table, Footing& footing, bool before_format_5);
 
 /// The footing of the body in force: scaled, and matched where the restitution was stated. \throws InputError at the
 /// key that no base can follow

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "body/footing.hpp"
 #include "simd/point_lanes.hpp"
 
 namespace overturn::contact {
@@ -93,7 +94,7 @@ enum class Spot : int {
 enum class ContactWave : int { horizontal, vertical, count };
 
 /// Points of a base at most.
-inline constexpr int most_points = 41;
+inline constexpr int most_points = BasePlan::most_points_across;
 
 template <int Lanes> struct ContactLanes : simd::PointLanes<ContactField, ContactWave, Spot, most_points, Lanes> {
     bool of_rim = false;  ///< ContactBlock::of_rim of all lanes

@@ -131,9 +131,8 @@ BaseOutline rim_outline(double radius_m) {
 
 BaseOutline round_outline(int points, double radius_m) {
     validate(points >= fewest_rim_points && points <= most_spatial_points,
-             "a rim of {} points (it takes {} to {}: fewer would give it directions of its own). Leave them out: the "
-             "rim is then continuous",
-             points, fewest_rim_points, most_spatial_points);
+             "a rim of {} points (it takes {} to {}). Leave them out: the rim is then continuous", points,
+             fewest_rim_points, most_spatial_points);
     BaseOutline outline{.points = {},
                         .area_m2 = pi * radius_m * radius_m,
                         .edge_m = radius_m * std::cos(pi / points),
