@@ -85,6 +85,18 @@ Unit first_of(std::initializer_list<Source> sources) {
     return std::nullopt;
 }
 
+// \param typed the unit of a dimension; empty: nobody typed one
+template <class Typed> TypedUnits units_by(Typed const& typed) {
+    TypedUnits units;
+    units.mass = typed(Dimension::mass).value_or(units.mass);
+    units.length = typed(Dimension::length).value_or(units.length);
+    units.acceleration = typed(Dimension::acceleration).value_or(units.acceleration);
+    units.velocity = typed(Dimension::velocity).value_or(units.velocity);
+    units.pressure = typed(Dimension::pressure).value_or(units.pressure);
+    units.slip = of_slip(typed(Dimension::length)).value_or(units.slip);
+    return units;
+}
+
 }  // namespace
 
 std::optional<IntensityUnit> typed_unit(CampaignSpec const& spec, Dimension dimension) {
@@ -95,31 +107,13 @@ std::optional<IntensityUnit> typed_unit(CampaignSpec const& spec, Dimension dime
 }
 
 TypedUnits typed_units(CampaignSpec const& spec) {
-    TypedUnits units;
-    auto const set = [&](IntensityUnit& unit, Dimension dimension) {
-        unit = typed_unit(spec, dimension).value_or(unit);
-    };
-    set(units.mass, Dimension::mass);
-    set(units.acceleration, Dimension::acceleration);
-    set(units.velocity, Dimension::velocity);
-    set(units.pressure, Dimension::pressure);
-    units.length = of_keys(spec.inputs, Dimension::length, "bodies").value_or(units.length);
-    units.slip = of_slip(typed_unit(spec, Dimension::length)).value_or(units.slip);
+    auto units = units_by([&](Dimension dimension) { return typed_unit(spec, dimension); });
+    units.length = of_keys(spec.inputs, Dimension::length, "bodies").value_or(TypedUnits().length);
     return units;
 }
 
 TypedUnits typed_units(std::span<config::InputValue const> inputs) {
-    TypedUnits units;
-    auto const set = [&](IntensityUnit& unit, Dimension dimension) {
-        unit = of_keys(inputs, dimension, "").value_or(unit);
-    };
-    set(units.mass, Dimension::mass);
-    set(units.length, Dimension::length);
-    set(units.acceleration, Dimension::acceleration);
-    set(units.velocity, Dimension::velocity);
-    set(units.pressure, Dimension::pressure);
-    units.slip = of_slip(of_keys(inputs, Dimension::length, "")).value_or(units.slip);
-    return units;
+    return units_by([&](Dimension dimension) { return of_keys(inputs, dimension, ""); });
 }
 
 IntensityUnit shown_unit(CampaignSpec const& spec, std::string const& stored) {

@@ -23,38 +23,31 @@ namespace {
 // What people look for first; further columns follow by name.
 constexpr std::array stripes_first{"amplitude", "level",     "purpose",     "trials", "overturned", "exceeded",
                                    "failed",    "undecided", "probability", "lower",  "upper"};
-constexpr std::array curves_first{"measure",
-                                  "units",
-                                  "measure_units",
-                                  "label",
-                                  "title",
-                                  "state",
-                                  "median",
-                                  "median_lower",
-                                  "median_upper",
-                                  "beta",
-                                  "beta_lower",
-                                  "beta_upper",
-                                  "beta_r",
-                                  "beta_u",
-                                  "five_percent_point",
-                                  "five_percent_point_lower",
-                                  "five_percent_point_upper",
-                                  "hclpf",
-                                  "hclpf_lower",
-                                  "hclpf_upper",
-                                  "one_percent_point"};
-// Of a curve: shown in the unit of the levels too.
-constexpr std::array curves_stated{"median",
-                                   "median_lower",
-                                   "median_upper",
-                                   "five_percent_point",
-                                   "five_percent_point_lower",
-                                   "five_percent_point_upper",
-                                   "hclpf",
-                                   "hclpf_lower",
-                                   "hclpf_upper",
-                                   "one_percent_point"};
+struct CurveColumn {
+    char const* name;
+    bool is_level;  ///< shown in the unit of the levels too
+};
+constexpr std::array curves_first{CurveColumn{"measure", false},
+                                  CurveColumn{"units", false},
+                                  CurveColumn{"measure_units", false},
+                                  CurveColumn{"label", false},
+                                  CurveColumn{"title", false},
+                                  CurveColumn{"state", false},
+                                  CurveColumn{"median", true},
+                                  CurveColumn{"median_lower", true},
+                                  CurveColumn{"median_upper", true},
+                                  CurveColumn{"beta", false},
+                                  CurveColumn{"beta_lower", false},
+                                  CurveColumn{"beta_upper", false},
+                                  CurveColumn{"beta_r", false},
+                                  CurveColumn{"beta_u", false},
+                                  CurveColumn{"five_percent_point", true},
+                                  CurveColumn{"five_percent_point_lower", true},
+                                  CurveColumn{"five_percent_point_upper", true},
+                                  CurveColumn{"hclpf", true},
+                                  CurveColumn{"hclpf_lower", true},
+                                  CurveColumn{"hclpf_upper", true},
+                                  CurveColumn{"one_percent_point", true}};
 
 class Sheets {
   public:
@@ -72,7 +65,9 @@ class Sheets {
         return of_bodies("stripes", "stripes", "amplitude", {stripes_first.begin(), stripes_first.end()});
     }
     [[nodiscard]] Sheet curves() const {
-        return of_bodies("curves", "fragility", "measure", {curves_first.begin(), curves_first.end()});
+        std::vector<std::string> first;
+        std::ranges::transform(curves_first, std::back_inserter(first), &CurveColumn::name);
+        return of_bodies("curves", "fragility", "measure", first);
     }
 
   private:
@@ -129,7 +124,9 @@ class Sheets {
         if (!stated_ || stated_->symbol == level_units_) {
             return;
         }
-        bool const of_curve = !by_row.empty() && std::ranges::find(curves_stated, name) != curves_stated.end();
+        bool const of_curve = !by_row.empty() && std::ranges::any_of(curves_first, [&](CurveColumn const& curve) {
+            return curve.is_level && curve.name == name;
+        });
         if (of_curve || (name == "amplitude" && column.units == level_units_)) {
             source.column.unit = stated_->symbol;
             source.per_unit = stated_->si;
