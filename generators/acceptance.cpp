@@ -42,7 +42,7 @@ Clause at_least(std::size_t name, double figure, double limit) {
 
 std::span<config::Entry<AcceptanceRule> const> acceptance_rules() {
     static constexpr std::array entries{
-        config::Entry<AcceptanceRule>{"none", "waves are reported on, none is refused", {}},
+        config::Entry<AcceptanceRule>{"none", "no rule: waves are reported, none is refused", {}},
         config::Entry<AcceptanceRule>{
             "srp-3.7.1",
             "spectrum clauses of US NRC SRP 3.7.1, option 1, approach 2 (not its power spectral density, strong-motion "

@@ -106,7 +106,7 @@ class FilteredNoise : public WaveSource {
     [[nodiscard]] bool is_gaussian() const { return gaussian_; }
 
     [[nodiscard]] std::string pgd_drift() const override {
-        return "noise behind a filter has what the envelope spreads to long periods: it grows with the duration";
+        return "the envelope puts energy of filtered noise at long periods: its displacement grows with the duration";
     }
 
   private:

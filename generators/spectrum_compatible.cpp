@@ -22,8 +22,8 @@ constexpr std::array line_amplitudes{
     config::Entry<LineAmplitudes>{"gaussian", "random phases and amplitudes", LineAmplitudes::gaussian},
 };
 constexpr std::array refused_seeds{
-    config::Entry<bool>{"left-out", "they are reported and not tried", false},
-    config::Entry<bool>{"used", "they are reported and tried all the same", true},
+    config::Entry<bool>{"left-out", "reported, and not used as trials", false},
+    config::Entry<bool>{"used", "reported, and used as trials", true},
 };
 
 constexpr config::Keys matched_target_keys{
@@ -60,10 +60,10 @@ constexpr config::Keys compatible_keys{
                         "waves that are drawn at most for each of count, until count of them meet acceptance")
         .otherwise(10)
         .only("there is acceptance and no seed"),
-    config::word_key<refused_seeds>("refused", "what becomes of seeds whose match misses acceptance")
+    config::word_key<refused_seeds>("refused", "use of seeds whose matched wave misses acceptance")
         .otherwise("left-out")
         .only("there are acceptance and seed"),
-    config::word_key<line_amplitudes>("amplitudes", "what of each spectral line is random")
+    config::word_key<line_amplitudes>("amplitudes", "Fourier amplitudes: fixed or Gaussian")
         .otherwise_said("fixed; of match = ensemble gaussian")
         .only("there is no seed"),
     config::table_key<envelope_table>("envelope", "how the amplitude grows and decays")

@@ -35,7 +35,7 @@ inline constexpr config::Keys noise_keys{
                        "root mean square of the stationary noise, before the envelope"),
     wave_duration_key,
     config::number_key("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, "time step").otherwise(0.01),
-    config::word_key<noise_amplitudes>("amplitudes", "what of each spectral line is random").otherwise("gaussian"),
+    config::word_key<noise_amplitudes>("amplitudes", "Fourier amplitudes: fixed or Gaussian").otherwise("gaussian"),
     config::number_key("ground_frequency", Dimension::frequency, config::Range::positive(), "of the ground layer")
         .otherwise(2.5)
         .only("model = kanai-tajimi or clough-penzien"),

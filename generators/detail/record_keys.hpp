@@ -16,7 +16,7 @@ inline constexpr std::array coarsenings{
     config::Entry<Coarsening>{"finer", "only to a shorter step", Coarsening::refused},
     config::Entry<Coarsening>{"coarser", "also to a longer step", Coarsening::accepted}};
 inline constexpr config::Keys reading_keys{
-    config::text_key("format", "one of the record formats (overturn list); auto: told by its content")
+    config::text_key("format", "one of the record formats (overturn list formats); auto: recognised from the content")
         .otherwise("auto"),
     config::text_key(
         "unit",

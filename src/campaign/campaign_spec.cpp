@@ -51,7 +51,7 @@ void check_name(Table const& entry, std::string const& name, std::set<std::strin
                                        name));
     }
     if (!names.insert(name).second) {
-        entry.fail("name", fmt::format("'{}' twice (names tell bodies apart). Rename one", name));
+        entry.fail("name", fmt::format("'{}' twice (names of bodies must differ). Rename one", name));
     }
 }
 
@@ -124,10 +124,9 @@ void check_forced_effects(Table const& effects, CampaignSpec const& spec) {
                                                 body.name));
         }
         if (has(spec.effects.include, Effect::sliding) && !body.friction) {
-            effects.fail("include",
-                         fmt::format("sliding forced on '{}', which states no friction (nothing says when it "
-                                     "slips). Add friction to the body",
-                                     body.name));
+            effects.fail("include", fmt::format("sliding forced on '{}', which states no friction (slip needs a "
+                                                "coefficient). Add friction to the body",
+                                                body.name));
         }
         auto const unable = selector->impossible({body.body, body.friction, body.footing, body.axes});
         if (unable != 0 && body.planar_key() == nullptr) {

@@ -186,7 +186,7 @@ template <> Fields const& fields_of<TrialRow>() {
             field<&T::mass_kg>("mass", "kg", "mass as drawn for the wave"),
             field<&T::centre_height_m>("centre_height", "m", "height of the centre of gravity as drawn for the wave"),
             field<&T::restitution>("restitution", "1",
-                                   "angular velocity after over before an impact, as drawn for the wave"),
+                                   "ratio of angular velocities after and before an impact, as drawn for the wave"),
             field<&T::static_friction>("static_friction", "1",
                                        "static coefficient as drawn for the wave; NaN: no slip"),
             field<&T::kinetic_friction>("kinetic_friction", "1",

@@ -20,8 +20,8 @@ template <Dimension dimension> void check_quantity(std::string const& text) {
 
 void check_number(std::string const& text, double least, double most, char const* range) {
     double number = 0;
-    validate(parse_number(text, number) && number >= least && number <= most, "'{}' (no number {}). State one", text,
-             range);
+    validate(parse_number(text, number) && number >= least && number <= most, "'{}' (must be a number {}). Give one",
+             text, range);
 }
 
 void check_word(std::string const& text, std::vector<std::string> const& words) {
@@ -45,17 +45,17 @@ void check_level(std::string const& text) {
                  text);
         (void)parse_quantity(text, Dimension::acceleration);  // no quantity without a blank: says why
     }
-    validate(
-        is_quantity(text, Dimension::acceleration) || is_quantity(text, Dimension::velocity),
-        "'{}' (no number above 0, a blank, and a unit of acceleration or velocity). Write for example \"600 gal\", "
-        "\"0.3 g\" or \"100 kine\"",
-        text);
+    validate(is_quantity(text, Dimension::acceleration) || is_quantity(text, Dimension::velocity),
+             "'{}' (must be a number above 0, a blank and a unit of acceleration or velocity). Write for example \"600 "
+             "gal\", \"0.3 g\" or \"100 kine\"",
+             text);
 }
 
 void check_count(std::string const& text) {
     constexpr double most = 1e9;
     check_number(text, 1, most, "from 1 to 1000000000");
-    validate(text.find_first_not_of("0123456789") == std::string::npos, "'{}' (no whole number). State one", text);
+    validate(text.find_first_not_of("0123456789") == std::string::npos, "'{}' (must be a whole number). Give one",
+             text);
 }
 
 void check_restitution(std::string const& text) {
@@ -68,7 +68,7 @@ void check_target(std::string const& text) {
     auto const published = config::names_of(named_targets());
     std::error_code error;
     validate(std::ranges::find(published, text) != published.end() || std::filesystem::exists(text, error),
-             "'{}' (neither published, nor a file). {}", text, config::suggestion(text, published));
+             "'{}' (neither a published spectrum nor a file). {}", text, config::suggestion(text, published));
     validate(text != "rg-1.60-vertical", "'{}' (of the vertical component). State rg-1.60, which brings it along",
              text);
 }
@@ -89,61 +89,59 @@ constexpr double largest_friction = 1e3;
 
 using Answers = StudyAnswers;
 constexpr std::array questions{
-    StudyQuestion{"--mass", "'117 t'", "mass of what stands there: the cask, with the pallet it stands on",
-                  &Answers::mass, check_quantity<Dimension::mass>, true},
+    StudyQuestion{"--mass", "'117 t'", "mass of the body: the cask and the pallet under it", &Answers::mass,
+                  check_quantity<Dimension::mass>, true},
     StudyQuestion{"--centre-height", "'2.6 m'", "height of its centre of gravity above the ground",
                   &Answers::centre_height, check_quantity<Dimension::length>, true},
-    StudyQuestion{"--base-width", "'3.4 m'", "width or diameter of what it stands on: its base, its feet or the pallet",
+    StudyQuestion{"--base-width", "'3.4 m'", "width or diameter of the base: of the cask, its feet or the pallet",
                   &Answers::base_width, check_quantity<Dimension::length>, true},
-    StudyQuestion{"--base-shape", "square|round", "outline of that base", &Answers::base_shape,
+    StudyQuestion{"--base-shape", "square|round", "outline of the base", &Answers::base_shape,
                   [](std::string const& text) {
                       check_word(text, {"square", "round"});
                   }},
     StudyQuestion{"--friction", "0.5", "coefficient of friction between base and pad", &Answers::friction,
                   [](std::string const& text) { check_number(text, 0, largest_friction, "from 0"); }},
-    StudyQuestion{"--restitution", "0.9|housner", "angular velocity after over before an impact", &Answers::restitution,
-                  check_restitution},
-    StudyQuestion{"--pad-strength", "'30 MPa'", "pressure above which the pad is crushed", &Answers::pad_strength,
+    StudyQuestion{"--restitution", "0.9|housner", "ratio of angular velocities after and before an impact",
+                  &Answers::restitution, check_restitution},
+    StudyQuestion{"--pad-strength", "'30 MPa'", "compressive strength of the pad", &Answers::pad_strength,
                   check_quantity<Dimension::pressure>},
-    StudyQuestion{"--gap", "'0.8 m'", "distance to the next cask, all round", &Answers::gap,
+    StudyQuestion{"--gap", "'0.8 m'", "distance to the next cask, in all directions", &Answers::gap,
                   check_quantity<Dimension::length>},
-    StudyQuestion{"--wall", "'1.5 m'", "distance to a wall, all round", &Answers::wall,
+    StudyQuestion{"--wall", "'1.5 m'", "distance to a wall, in all directions", &Answers::wall,
                   check_quantity<Dimension::length>},
-    StudyQuestion{"--edge", "'2 m'", "distance to the edge of the pad, all round", &Answers::edge,
+    StudyQuestion{"--edge", "'2 m'", "distance to the edge of the pad, in all directions", &Answers::edge,
                   check_quantity<Dimension::length>},
     StudyQuestion{"--height", "'5.2 m'", "full height of the cask above the ground", &Answers::height,
-                  check_quantity<Dimension::length>, false, of_site,
-                  "it is compared with what stands near, and no --gap, --wall or --edge is stated"},
-    StudyQuestion{"--spectrum", "NAME|FILE", "target spectrum: a published one (overturn list), or a file of one",
+                  check_quantity<Dimension::length>, false, of_site, "used only with --gap, --wall or --edge"},
+    StudyQuestion{"--spectrum", "NAME|FILE", "target spectrum: a published one (overturn list targets) or a file",
                   &Answers::spectrum, check_target},
     StudyQuestion{"--spectrum-kind", "KIND",
-                  "what that file holds: acceleration, pseudo-velocity, displacement or energy-velocity",
+                  "quantity in that file: acceleration, pseudo-velocity, displacement or energy-velocity",
                   &Answers::spectrum_kind,
                   [](std::string const& text) { check_word(text, config::names_of(target_kinds())); }, true,
-                  of_spectrum_file, "it describes a file of a spectrum, and --spectrum names none"},
-    StudyQuestion{"--spectrum-unit", "gal", "unit of its ordinates, where the file does not say it",
+                  of_spectrum_file, "used only if --spectrum names a file"},
+    StudyQuestion{"--spectrum-unit", "gal", "unit of that file's ordinates, if the file does not state it",
                   &Answers::spectrum_unit, take_as_it_is, false, of_spectrum_file,
-                  "it describes a file of a spectrum, and --spectrum names none"},
-    StudyQuestion{"--components", "1|2|3", "components of the motion: 1 horizontal, 2 both, 3 the vertical one too",
+                  "used only if --spectrum names a file"},
+    StudyQuestion{"--components", "1|2|3",
+                  "components of the motion: 1 (one horizontal), 2 (both horizontal), 3 (and vertical)",
                   &Answers::components,
                   [](std::string const& text) {
                       check_word(text, {"1", "2", "3"});
                   },
-                  false, of_spectrum, "it describes generated waves, and no --spectrum is stated for them"},
+                  false, of_spectrum, "used only with --spectrum"},
     StudyQuestion{"--duration", "'120 s'", "duration of every wave", &Answers::duration,
-                  check_quantity<Dimension::time>, false, of_spectrum,
-                  "it describes generated waves, and no --spectrum is stated for them"},
-    StudyQuestion{"--acceptance", "none|srp-3.7.1|japan", "rule that every wave must meet", &Answers::acceptance,
+                  check_quantity<Dimension::time>, false, of_spectrum, "used only with --spectrum"},
+    StudyQuestion{"--acceptance", "none|srp-3.7.1|japan", "acceptance rule that every wave must meet",
+                  &Answers::acceptance,
                   [](std::string const& text) { check_word(text, config::names_of(acceptance_rules())); }, false,
-                  of_spectrum, "it describes generated waves, and no --spectrum is stated for them"},
-    StudyQuestion{"--records", "FILE|FOLDER", "recorded motions: a file, or a folder of them", &Answers::records,
-                  check_file, true, without_spectrum,
-                  "waves come from --spectrum or from --records, and --spectrum is stated"},
-    StudyQuestion{"--record-unit", "gal", "unit of the records, where they do not say it", &Answers::record_unit,
-                  take_as_it_is, false, of_records, "it describes recorded motions, and no --records are stated"},
-    StudyQuestion{"--baseline", "'high-pass 0.05 Hz'",
-                  "what takes the drift off the records: none, mean, polynomial or a high-pass", &Answers::baseline,
-                  take_as_it_is, false, of_records, "it describes recorded motions, and no --records are stated"},
+                  of_spectrum, "used only with --spectrum"},
+    StudyQuestion{"--records", "FILE|FOLDER", "recorded motions: a file or a folder", &Answers::records, check_file,
+                  true, without_spectrum, "--spectrum is given: waves come from one of the two"},
+    StudyQuestion{"--record-unit", "gal", "unit of the records, if the files do not state it", &Answers::record_unit,
+                  take_as_it_is, false, of_records, "used only with --records"},
+    StudyQuestion{"--baseline", "'high-pass 0.05 Hz'", "baseline correction: none, mean, polynomial or a high-pass",
+                  &Answers::baseline, take_as_it_is, false, of_records, "used only with --records"},
     StudyQuestion{"--count", "100", "number of waves", &Answers::count, check_count},
     StudyQuestion{"--design-basis", "'0.3 g'", "peak acceleration or velocity of the design basis",
                   &Answers::design_basis, check_level, true},
@@ -166,7 +164,7 @@ std::span<StudyQuestion const> study_questions() { return questions; }
 
 void check_answer(StudyQuestion const& question, std::string const& answer) {
     try {
-        validate(!trimmed(answer).empty(), "'' (nothing stated: an unset variable?). State it, or leave it out");
+        validate(!trimmed(answer).empty(), "'' (empty: an unset variable?). Give a value, or leave the option out");
         auto const control = [](unsigned char c) { return c < ' ' || c == 0x7F; };
         validate(std::ranges::none_of(answer, control), "(holds a control character). Write it on one line");
         question.check(answer);

@@ -97,8 +97,8 @@ void write_head(StudyText& out, std::string const& name, StudyAnswers const& a) 
         }
     }
     out.line("# Written by: " + command);
-    out.line("# What was not stated stands behind \"assumed\". State it where you know better.");
-    out.line(fmt::format("# Look at it: overturn plan {}", as_argument(name)));
+    out.line("# Values that were not given are marked \"assumed\". Replace them where you know better.");
+    out.line(fmt::format("# Check it: overturn plan {}", as_argument(name)));
     out.line(fmt::format("# Run it: overturn run {}", as_argument(name)));
     out.line(fmt::format("# Read it: overturn fit {}; overturn report {} -o {}", as_argument(results),
                          as_argument(results), as_argument(page)));
@@ -106,7 +106,7 @@ void write_head(StudyText& out, std::string const& name, StudyAnswers const& a) 
     out.state("title", quoted(fmt::format("Cask of {}, design basis {}", *a.mass, *a.design_basis)));
     out.state("seed", "1");
     a.hazard ? out.state("hazard", quoted(*a.hazard))
-             : out.leave_out("hazard = \"curve.csv\"", "no annual frequencies, because no hazard curve was stated");
+             : out.leave_out("hazard = \"curve.csv\"", "no annual frequencies, because no hazard curve was given");
 }
 
 void write_target(StudyText& out, StudyAnswers const& a) {
@@ -123,7 +123,7 @@ void write_target(StudyText& out, StudyAnswers const& a) {
             out.state("pga", quoted(*a.design_basis));
         }
     }
-    out.assume("damping", "0.05", "5 % damping, because spectra are mostly stated so");
+    out.assume("damping", "0.05", "5 % damping, because it is usual for design spectra");
     out.end();
 }
 
@@ -139,16 +139,16 @@ void write_further_components(StudyText& out, StudyAnswers const& a) {
         out.end();
     };
     if (!a.components) {
-        out.line("\n# assumed: three components, because none can be left out unasked (--components)");
+        out.line("\n# assumed: three components, because --components was not given");
     }
     auto const components = a.components.value_or("3");
     if (components != "1") {
         write("transverse", false, "1",
-              "as strong as the other horizontal component, because no spectrum of its own was stated");
+              "as strong as the other horizontal component, because no second spectrum was given");
     }
     if (components == "3") {
         write("vertical", is_scaled_by_pga(*a.spectrum), "0.667",
-              "two thirds of the horizontal spectrum, because no vertical one was stated");
+              "two thirds of the horizontal spectrum, because no vertical spectrum was given");
     }
 }
 
@@ -156,17 +156,17 @@ void write_drawn_waves(StudyText& out, StudyAnswers const& a) {
     bool const short_motion = is_scaled_by_pga(*a.spectrum);
     out.state("source", "\"spectrum-compatible\"");
     a.count ? out.state("count", as_value(*a.count))
-            : out.choose("count", "100", "100 waves, because where none overturns they show P < 0.037 (95 %)");
+            : out.choose("count", "100", "100 waves, because P < 0.037 (95 %) if none overturns");
     out.state_or_assume("duration", a.duration, short_motion ? "\"30 s\"" : "\"120 s\"",
-                        short_motion ? "30 s, because no duration was stated; at least 20 s are usual"
-                                     : "120 s, because no duration was stated and long-period motion lasts minutes");
+                        short_motion ? "30 s, because no duration was given; at least 20 s are usual"
+                                     : "120 s, because no duration was given and long-period motion lasts minutes");
     a.acceptance ? out.state("acceptance", quoted(*a.acceptance))
-                 : out.leave_out("acceptance = \"srp-3.7.1\"", "no rule that waves must meet, because none was stated");
+                 : out.leave_out("acceptance = \"srp-3.7.1\"", "no acceptance rule for waves, because none was given");
     out.leave_out(R"(envelope = {shape = "jennings", rise = "10 s", level_end = "60 s", end = "110 s"})",
-                  "an envelope that is level from a tenth to half of the duration, because none was stated");
+                  "constant amplitude from 1/10 to 1/2 of the duration, because no envelope was given");
     out.leave_out("variability = {sigma = 0.5, correlation = \"baker-jayaram-2008\"}",
-                  "every wave follows the one spectrum, because no scatter about it was stated: curves are steeper "
-                  "than those of recorded motions");
+                  "every wave follows the target spectrum, because no variability was given: curves are steeper than "
+                  "those of recorded motions");
     out.end();
     write_target(out, a);
     write_further_components(out, a);
@@ -183,13 +183,12 @@ void write_records(StudyText& out, StudyAnswers const& a) {
     }
     out.state("files", fmt::format("[{}]", files.empty() ? quoted(*a.records) : files));
     a.record_unit ? out.state("unit", quoted(*a.record_unit))
-                  : out.leave_out("unit = \"gal\"", "the unit that each file states, because none was stated");
-    a.baseline
-        ? out.state("baseline", quoted(*a.baseline))
-        : out.leave_out("baseline = \"high-pass 0.05 Hz\"", "no correction of baselines, because none was stated");
+                  : out.leave_out("unit = \"gal\"", "the unit that each file states, because no unit was given");
+    a.baseline ? out.state("baseline", quoted(*a.baseline))
+               : out.leave_out("baseline = \"high-pass 0.05 Hz\"", "no baseline correction, because none was given");
     a.count ? out.state("count", as_value(*a.count))
-            : out.leave_out("count = 10", "all of the records, because no number was stated");
-    out.leave_out("components = \"station\"", "the components that each file holds, because no others were stated");
+            : out.leave_out("count = 10", "all records, because no number was given");
+    out.leave_out("components = \"station\"", "the components of each file, because no others were given");
     out.end();
 }
 
@@ -199,20 +198,20 @@ void write_body(StudyText& out, StudyAnswers const& a, char const* name, char co
     out.state("mass", quoted(*a.mass));
     out.state("centre_height", quoted(*a.centre_height));
     out.state("base_width", quoted(*a.base_width));
-    out.assume("inertia", "\"uniform-block\"", "a block of one density, because no inertia was stated");
+    out.assume("inertia", "\"uniform-block\"", "a block of uniform density, because no inertia was given");
     a.friction ? out.state("friction", as_value(*a.friction))
                : out.assume("friction", assumed_friction,
-                            "friction of 0.2 in one body and 0.8 in the other, because none was stated: steel on "
-                            "concrete lies between (NUREG/CR-6865, as quoted elsewhere)");
+                            "two bodies with friction 0.2 and 0.8, because none was given: steel on concrete lies "
+                            "between (NUREG/CR-6865, quoted from other papers)");
     a.restitution ? out.state("restitution", as_value(*a.restitution))
                   : out.assume("restitution", "\"housner\"",
-                               "the restitution of a rigid block (Housner 1963), because none was stated");
+                               "restitution of a rigid block (Housner 1963), because none was given");
     a.base_shape
         ? out.state("base", fmt::format("{{shape = {}}}", quoted(*a.base_shape)))
-        : out.leave_out("base = {shape = \"round\"}", "a square base on rigid corners, because no shape was stated");
+        : out.leave_out("base = {shape = \"round\"}", "a square base on rigid corners, because no shape was given");
     a.pad_strength
         ? out.state("pad", fmt::format("{{strength = {}}}", quoted(*a.pad_strength)))
-        : out.leave_out("pad = {strength = \"30 MPa\"}", "a pad that is not crushed, because no strength was stated");
+        : out.leave_out("pad = {strength = \"30 MPa\"}", "a pad that is not crushed, because no strength was given");
     out.end();
 }
 
@@ -226,14 +225,15 @@ void write_levels(StudyText& out, StudyAnswers const& a) {
     out.state("measure", a.level_dimension() == Dimension::acceleration ? "\"pga\"" : "\"pgv\"");
     out.state("design_basis", quoted(*a.design_basis));
     out.choose("beyond_design", fmt::format("[{}, {}]", multiple(*a.design_basis, 1.5), multiple(*a.design_basis, 2)),
-               "1.5 and 2 times the design basis, because no other motion beyond it was stated");
+               "1.5 and 2 times the design basis, because no other beyond-design motion was given");
     out.choose("values", "[" + values + "]",
-               "levels from half to five times the design basis, because a curve needs levels at which some overturn");
+               "levels from 0.5 to 5 times the design basis, because a fragility curve needs levels where some trials "
+               "overturn");
 }
 
 void write_site(StudyText& out, StudyAnswers const& a) {
     if (!a.has_site()) {
-        out.line("\n# assumed: nothing within reach of the cask, because no --gap, --wall or --edge was stated");
+        out.line("\n# assumed: no obstacle near the cask, because --gap, --wall and --edge were not given");
         out.line(R"(# site = {cask = "0.8 m", edge = "2 m"})");
         return;
     }
@@ -241,14 +241,14 @@ void write_site(StudyText& out, StudyAnswers const& a) {
     auto const write = [&](char const* key, std::optional<std::string> const& distance, char const* what) {
         distance ? out.state(key, quoted(*distance))
                  : out.leave_out(fmt::format("{} = \"2 m\"", key),
-                                 fmt::format("{} within reach, because no distance to one was stated", what));
+                                 fmt::format("{} near the cask, because no distance was given", what));
     };
     write("cask", a.gap, "no other cask");
     write("wall", a.wall, "no wall");
     write("edge", a.edge, "no edge of the pad");
     a.height ? out.state("height", quoted(*a.height))
              : out.leave_out("height = \"5.2 m\"",
-                             "twice as high as its centre of gravity, because no full height was stated");
+                             "twice the height of the centre of gravity, because no full height was given");
 }
 
 }  // namespace

@@ -69,9 +69,9 @@ void add_targets(CampaignSpec const& spec, Lines& lines) {
         auto const band = rocking_band(body.body, spec.measures.radius_unit);
         if (judged && ends_inside(*judged, band)) {
             lines.push_back(
-                fmt::format("waves are compared with their target from {:.3g} s to {:.3g} s only, and {} rocks at "
-                            "{:.2f} s to {:.2f} s: nothing says how they shake it beyond. State the target over all of "
-                            "this, and waves.target.longest no shorter",
+                fmt::format("waves are compared with their target from {:.3g} s to {:.3g} s only, but {} rocks at "
+                            "{:.2f} s to {:.2f} s: waves are not controlled outside the compared periods. State the "
+                            "target over all of these periods, and waves.target.longest no shorter",
                             judged->from_s, judged->to_s, body.name, band.t0_s, band.t1_s));
         }
     }
@@ -134,10 +134,10 @@ void add_limits(CampaignSpec const& spec, Lines& lines) {
             auto const* const model =
                 calls_space && !quantity.of_every_model ? nullptr : model_beyond_corners(spec, body);
             if (model != nullptr && !model->computes(quantity.name, quantity.of_every_model)) {
-                lines.push_back(fmt::format(
-                    "limit {}: trials of {} on points or in space have no {}, and so no verdict unless they "
-                    "fall. Limit another quantity, peak_rotation for example",
-                    limit.name, body.name, quantity.name));
+                lines.push_back(
+                    fmt::format("limit {}: trials of {} on points or in space have no {}, so they have no verdict "
+                                "unless they overturn. Use another quantity, for example peak_rotation",
+                                limit.name, body.name, quantity.name));
             }
         }
     }
@@ -145,10 +145,9 @@ void add_limits(CampaignSpec const& spec, Lines& lines) {
 
 void add_rare(CampaignSpec const& spec, Lines& lines) {
     if (spec.rare && !spec.source->from_normals()->linear()) {
-        lines.push_back(
-            fmt::format("rare events of waves that differ by {}: what is rare among them says nothing of motions that "
-                        "differ by more. Read P with that",
-                        spec.source->about().variability));
+        lines.push_back(fmt::format(
+            "rare events of waves that differ by {}: P holds for such waves only, not for motions that differ more",
+            spec.source->about().variability));
     }
 }
 
@@ -228,11 +227,10 @@ std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedW
                             body.name, names_of_effects(lost)));
         }
         if (body.axes > 1 && !wave.motion.transverse_mps2.empty() && !body.footing.stated) {
-            lines.push_back(fmt::format(
-                "{}: its base is not stated, and is taken as square on its four corners. A round foot rolls "
-                "under two components, and overturns at lower levels. State base = {{shape = \"round\"}} or "
-                "\"square\"",
-                body.name));
+            lines.push_back(
+                fmt::format("{}: base not stated: square, on its four corners. A round base rolls under two components "
+                            "and overturns at lower levels. State base = {{shape = \"round\"}} or \"square\"",
+                            body.name));
         }
         for (auto& line : warnings_of_stated_effects(body, wave.motion, spec.effects)) {
             lines.push_back(std::move(line));

@@ -58,10 +58,15 @@ Json input_json(InputValue const& input) {
 }  // namespace
 
 std::string model_assumptions_text() {
-    std::string text = "assumptions of the model (unsafe: if it is false, more bodies overturn than computed)\n";
+    constexpr std::size_t name_width = 25;  // of the longest name, with two blanks before it and one behind
+    std::string text =
+        "assumptions of the model\n"
+        "  unsafe: if the assumption is false, more bodies overturn than computed\n"
+        "  key: replaces the assumption; effect: as measured by a study of this project\n";
     for (auto const& one : model_assumptions()) {
-        text += fmt::format("  {:<22} {}\n  {:<22} {}; without it: {}; effect: {} ({})\n", one.name, one.assumed, "",
-                            overturn::name_of(one.direction), one.key, one.effect, one.evidence);
+        text += labelled(fmt::format("  {}", one.name), one.assumed, name_width);
+        text += labelled("", fmt::format("{}; key: {}", overturn::name_of(one.direction), one.key), name_width);
+        text += labelled("", fmt::format("effect: {} ({})", one.effect, one.evidence), name_width);
     }
     return text;
 }
@@ -116,7 +121,7 @@ std::string assumptions_lines(CampaignSpec const& spec, bool full) {
     }
     if (!unstated.empty()) {
         text += labelled("no source", names_text(unstated, full ? unstated.size() : most_keys)
-                                          + R"(: say basis = "published", "measured" or "assumed")");
+                                          + R"(: state basis = "published", "measured" or "assumed")");
     }
     std::vector<std::string> unsafe;
     std::size_t bearing = 0;
@@ -130,10 +135,9 @@ std::string assumptions_lines(CampaignSpec const& spec, bool full) {
         }
     }
     return text
-           + labelled(
-               "model",
-               fmt::format("{} assumptions (overturn list assumptions); on the unsafe side where they do not hold: {}",
-                           bearing, fmt::join(unsafe, ", ")));
+           + labelled("model",
+                      fmt::format("{} assumptions (overturn list assumptions); unsafe where they do not hold: {}",
+                                  bearing, fmt::join(unsafe, ", ")));
 }
 
 }  // namespace overturn::cli

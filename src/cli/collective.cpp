@@ -20,7 +20,7 @@ std::string other_launcher() {
     for (char const* const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"}) {
         char const* const size = std::getenv(name);
         if (size != nullptr && std::atoi(size) > 1) {
-            return fmt::format("{} says {} ranks", name, std::atoi(size));
+            return fmt::format("{} states {} ranks", name, std::atoi(size));
         }
     }
     return {};
@@ -39,7 +39,7 @@ bool is_cut_off() {
 int on_all_ranks(std::function<int(parallel::Communicator const&)> const& action) {
     if (is_cut_off()) {
         print_error_once(
-            fmt::format("SLURM_STEP_NUM_TASKS says {} ranks (srun tells {} nothing of them). Start it with mpirun, or "
+            fmt::format("SLURM_STEP_NUM_TASKS states {} ranks (srun did not pass them to {}). Start it with mpirun, or "
                         "srun --mpi=pmix",
                         std::getenv("SLURM_STEP_NUM_TASKS"), parallel::Communicator::library()));
         return bad_input;

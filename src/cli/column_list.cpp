@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "core/text_width.hpp"
+#include "core/wrapped.hpp"
 #include "store/format_versions.hpp"
 #include "store/known_columns.hpp"
 
@@ -96,8 +97,10 @@ std::string columns_text(std::vector<ListedGroup> const& groups) {
         for (auto const& column : group.columns) {
             auto const unit = unit_of(column);
             bool const known = std::ranges::find(group.unknown, column.path) == group.unknown.end();
-            text += fmt::format("  {:<{}}  {}{}{}{}\n", column.path, widest, unit, unit.empty() ? "" : " ",
-                                known ? "" : "(unknown to this program) ", column.description);
+            text += labelled("  " + column.path,
+                             fmt::format("{}{}{}{}", unit, unit.empty() ? "" : " ",
+                                         known ? "" : "(unknown to this program) ", column.description),
+                             widest + 4);
         }
     }
     return text;
@@ -105,11 +108,10 @@ std::string columns_text(std::vector<ListedGroup> const& groups) {
 
 std::string columns_markdown(std::vector<ListedGroup> const& groups) {
     std::string text =
-        "# Columns of a results file\n\nOf a campaign that has all of it; `overturn list columns FILE.h5` tells those "
-        "of "
-        "any file. No unit: a number without one. Since: the format whose files first held it; none: format 3 already, "
+        "# Columns of a results file\n\nAll columns that a campaign can give. `overturn list columns FILE.h5` lists "
         "the "
-        "oldest that is read.\n\n";
+        "columns of one file. An empty unit means a number without unit. Since: the first format with the column; "
+        "empty: format 3, the oldest that can be read.\n\n";
     for (auto const& group : groups) {
         text += fmt::format("## /{}\n\n| column | unit | since | meaning |\n|---|---|---|---|\n", group.name);
         for (auto const& column : group.columns) {

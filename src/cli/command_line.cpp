@@ -12,6 +12,7 @@
 
 #include "cli/print_error.hpp"
 #include "config/suggestion.hpp"
+#include "core/wrapped.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -41,7 +42,7 @@ std::vector<std::string> options_of(CLI::App const& verb) {
 std::string explain(CLI::App const& app, CLI::ParseError const& error, int argc, char const* const* arguments) {
     auto const verbs = verbs_of(app);
     if (argc < 2) {
-        return fmt::format("no verb (what shall be done?). {}", config::suggestion("", verbs));
+        return fmt::format("no verb (nothing to do). {}", config::suggestion("", verbs));
     }
     std::string const first = arguments[1];
     if (first.front() != '-' && std::find(verbs.begin(), verbs.end(), first) == verbs.end()) {
@@ -78,6 +79,15 @@ std::vector<std::string> with_each_setting(int argc, char const* const* argument
     }
     return words;
 }
+
+// Help whose lines fit a terminal.
+class NarrowHelp : public CLI::Formatter {
+    [[nodiscard]] std::string make_option_desc(CLI::Option const* option) const override {
+        auto text = wrapped(option->get_description(), 0, line_width - column_width_);
+        text.pop_back();  // the end of the last line, which the caller adds
+        return text;
+    }
+};
 
 template <class Value>
 CLI::Option& declare(CLI::App& parser, std::string const& names, Value& value, std::string const& help) {
@@ -127,6 +137,7 @@ template void Verb::takes(std::string const&, std::vector<std::string>&, std::st
 
 CommandLine::CommandLine(std::string const& description, std::string const& version)
     : parser_(std::make_unique<CLI::App>(description, "overturn")) {
+    parser_->formatter(std::make_shared<NarrowHelp>());  // of every verb, too
     parser_->set_version_flag("--version", version);
     parser_->require_subcommand(1);
 }

@@ -57,7 +57,7 @@ void check(CostOptions const& options) {
     if (options.output) {
         validate(!options.output->empty(), "-o '' (no name: an unset variable?). Name a file");
         validate(!std::filesystem::exists(*options.output),
-                 "-o {}: there already (it would be lost). Choose another name, or remove it", *options.output);
+                 "-o {}: exists already (it would be lost). Choose another name, or remove it", *options.output);
         store::require_writable(*options.output);
     }
     if (!options.page.empty()) {
@@ -110,14 +110,14 @@ int study(CostOptions const& options) {
 }  // namespace
 
 void add_cost(CommandLine& line) {
-    auto verb = line.verb("cost", "what accuracy costs in time, knob by knob, on a campaign's own waves");
+    auto verb = line.verb("cost", "error and computing time of each setting, on a campaign's waves");
     auto options = std::make_shared<CostOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
-    verb.takes("-o,--output", options->output, "write the study as HDF5 (its times never repeat exactly)");
-    verb.takes("--html", options->page, "write a page with figures and tables that needs no network", "PAGE.html");
-    verb.takes("--waves", options->waves, "waves of the sample; default: what fits into about a minute");
+    verb.takes("-o,--output", options->output, "write the study as HDF5 (computing times differ from run to run)");
+    verb.takes("--html", options->page, "write a page with figures and tables (no network needed)", "PAGE.html");
+    verb.takes("--waves", options->waves, "waves of the sample; default: as many as take about one minute");
     verb.takes("--sensitivity", options->sensitivity,
-               "instead: what every number that is said to be assumed does to median and P (up to 200 waves)");
+               "instead: effect of each assumed value on median and P (at most 200 waves)");
     verb.takes("--set", options->settings, "override keys: waves.count=50 seed=2", "KEY=VALUE ...");
     verb.takes("--json", options->json, "as JSON");
     verb.does([options] { return study(*options); });

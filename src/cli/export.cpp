@@ -48,7 +48,7 @@ void make_place(fs::path const& folder, std::vector<fs::path> const& files, bool
              error ? ": " + error.message() : std::string());
     for (auto const& file : files) {
         validate(force || !fs::exists(file),
-                 "{}: there already (it would be lost). Name another folder with -o, or say --force", file.string());
+                 "{}: exists already (it would be lost). Name another folder with -o, or use --force", file.string());
         validate(!fs::is_directory(file), "{}: a folder (a file shall have this name). Name another folder with -o",
                  file.string());
         store::require_writable(file);
@@ -130,15 +130,12 @@ int write_tables(ExportOptions const& options) {
 }  // namespace
 
 void add_export(CommandLine& line) {
-    auto verb =
-        line.verb("export", "trials, waves, stripes and curves of a results file as csv and as a workbook of Excel");
+    auto verb = line.verb("export", "write trials, waves, stripes and curves as csv and for Excel");
     auto options = std::make_shared<ExportOptions>();
     verb.needs("file", options->file, "results file");
-    verb.takes("-o,--output", options->folder, "the folder to write into; default: FILE.tables beside the file",
-               "FOLDER");
-    verb.takes("--as", options->kind, "one kind alone: csv (every digit) or xlsx (16 digits); default: both",
-               "csv|xlsx");
-    verb.takes("--force", options->force, "write over files that are there");
+    verb.takes("-o,--output", options->folder, "folder for the tables; default: FILE.tables beside the file", "FOLDER");
+    verb.takes("--as", options->kind, "write csv (all digits) or xlsx (16 digits) only; default: both", "csv|xlsx");
+    verb.takes("--force", options->force, "overwrite existing files");
     options->unverified.offered_by(verb);
     verb.does([options] { return write_tables(*options); });
 }

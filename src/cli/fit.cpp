@@ -54,9 +54,9 @@ void check(FitOptions const& options) {
     validate(options.design_basis.empty() || options.file.empty(),
              "--design-basis beside a results file (its campaign names the level). Leave it out");
     validate(options.design_basis.empty() || !options.stripes.empty(),
-             "--design-basis without --stripes (P is quoted of stripes alone). Leave it out");
+             "--design-basis without --stripes (used with --stripes only). Leave it out");
     validate(options.measures.empty() || !options.file.empty(),
-             "--measures without a results file (a table, or a stated curve, has one). Fit a results file");
+             "--measures without a results file (a table or a given curve has one measure). Fit a results file");
     validate(!options.interim || !options.file.empty(),
              "--interim without a results file (it is of an unfinished run). Name the file that the run is to write");
     validate(options.beta.has_value() == !options.median.empty(),
@@ -243,23 +243,25 @@ int fit_interim(FitOptions const& options) {
 }  // namespace
 
 void add_fit(CommandLine& line) {
-    auto verb = line.verb("fit", "fragility curves and the criterion on trial, from a results file or a table");
+    auto verb = line.verb("fit", "answer of a results file or table: P, curves, HCLPF, criterion");
     auto options = std::make_shared<FitOptions>();
     verb.takes("file", options->file, "results file");
-    verb.takes("--stripes", options->stripes, "fit a table instead: amplitude,trials,overturned (csv)");
-    verb.takes("--capacities", options->capacities,
-               "capacities by incremental analysis instead, a row per wave: 'pga [g], collapsed' (csv)");
-    verb.takes("--median", options->median, "a stated curve instead: its median with its unit, '0.9 g'");
-    verb.takes("--beta", options->beta, "of the stated curve: lognormal standard deviation, beta_R beside --beta-u");
+    verb.takes("--stripes", options->stripes, "fit a table of counts instead: amplitude,trials,overturned (csv)");
+    verb.takes(
+        "--capacities", options->capacities,
+        "fit capacities from incremental dynamic analysis instead, one row per wave: 'pga [g], collapsed' (csv)");
+    verb.takes("--median", options->median, "use a given curve instead: its median with unit, '0.9 g'");
+    verb.takes("--beta", options->beta, "lognormal standard deviation of the given curve; with --beta-u: its beta_R");
     verb.takes("--json", options->json, "as JSON");
-    verb.takes("--interim", options->interim, "of a run that is not complete: of the waves that it has done so far");
-    verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known, for HCLPF");
-    verb.takes("--confidence", options->confidence, "of all intervals; default: the campaign's, or 0.95");
+    verb.takes("--interim", options->interim, "fit an unfinished run: the waves that are done so far");
+    verb.takes("--beta-u", options->beta_u, "epistemic lognormal standard deviation beta_U, for HCLPF");
+    verb.takes("--confidence", options->confidence,
+               "confidence level of all intervals; default: that of the campaign, or 0.95");
     verb.takes("--design-basis", options->design_basis,
-               "with --stripes: quote P at multiples of this amplitude, '0.3 g'");
+               "with --stripes: show P at multiples of this amplitude, '0.3 g'");
     verb.takes("--hazard", options->hazard,
-               "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv); default: the "
-               "campaign's");
+               "hazard curve for annual frequencies: '<measure> [unit], annual_exceedance' (csv); default: that of the "
+               "campaign");
     verb.takes("--measures", options->measures, "also fit a curve over two measures: pga,v_wes");
     options->text.offered_by(verb);
     options->unverified.offered_by(verb);

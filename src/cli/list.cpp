@@ -16,6 +16,7 @@
 #include "cli/verbs.hpp"
 #include "config/key_reference.hpp"
 #include "config/suggestion.hpp"
+#include "core/wrapped.hpp"
 #include "generators/acceptance.hpp"
 #include "generators/envelope.hpp"
 #include "motion/record.hpp"
@@ -29,16 +30,23 @@
 namespace overturn::cli {
 namespace {
 
+constexpr std::size_t entry_width = 25;  // of the longest name, with two blanks before it and one behind
+
+void print_entry(std::string_view name, std::string_view text, std::size_t width = entry_width) {
+    fmt::print("{}", labelled(fmt::format("  {}", name), text, width));
+}
+
 template <class Value> void print_entries(char const* heading, std::span<config::Entry<Value> const> entries) {
     fmt::print("{}\n", heading);
     for (auto const& entry : entries) {
-        fmt::print("  {:<22} {}\n", entry.name, entry.summary);
+        print_entry(entry.name, entry.summary);
     }
 }
 
 void print_column(std::string const& name, Field const& column) {
-    fmt::print("  {:<32} {}{}\n", name, column.description,
-               column.units == "1" ? "" : fmt::format(" [{}]", column.units));
+    print_entry(name,
+                fmt::format("{}{}", column.description, column.units == "1" ? "" : fmt::format(" [{}]", column.units)),
+                35);
 }
 
 struct ListOptions {
@@ -97,7 +105,7 @@ std::vector<std::string> unknown_in(store::ResultsReader const& file) {
 int list_columns(ListOptions const& options) {
     validate(!options.named.empty(), "list columns (of which file?). Name a results file");
     validate(!options.json && !options.schema,
-             "--json and --schema (columns are told as text or --markdown). Leave them out");
+             "--json and --schema (columns are listed as text or with --markdown). Leave them out");
     std::vector<ListedGroup> groups;
     for (auto const& path : options.named) {
         store::ResultsReader const file(path, options.unverified.trust());
@@ -110,12 +118,10 @@ int list_columns(ListOptions const& options) {
 
 void print_measures() {
     print_entries("level measures (levels.measure)", level_measures());
-    fmt::print(
-        "curve measures (measures.curves); curves over the levels' own, and over what is measured, come by "
-        "themselves\n");
+    fmt::print("further curve measures (measures.curves); curves over the other measures are always fitted\n");
     for (auto const& measure : intensity_measures) {
         if (measure.curves == Curves::asked) {
-            fmt::print("  {:<22} {}\n", measure.name, measure.meaning);
+            print_entry(measure.name, measure.meaning);
         }
     }
 }
@@ -127,7 +133,7 @@ void print_limits() {
         auto const calls = quantity.of_every_model || quantity.needs == 0
                                ? std::string()
                                : fmt::format("; requires {} in every trial", names_of_effects(quantity.needs));
-        fmt::print("  {:<24} {}{}{}\n", quantity.name, quantity.description, units, calls);
+        print_entry(quantity.name, fmt::format("{}{}{}", quantity.description, units, calls), 27);
     }
 }
 
@@ -177,10 +183,12 @@ void print_sections(std::string_view what) {
         }
     }
     if (what.empty()) {
-        fmt::print(
-            "keys of a campaign: overturn list keys; assumptions of the model: overturn list assumptions; all "
-            "columns of a results file: overturn list columns FILE.h5; one of these lists: overturn list {}\n",
-            section_names());
+        fmt::print("further lists\n");
+        print_entry("keys", "keys of a campaign");
+        print_entry("assumptions", "assumptions of the model");
+        print_entry("columns FILE.h5", "columns of a results file");
+        fmt::print("{}",
+                   wrapped(fmt::format("one list alone: overturn list NAME, with NAME one of {}", section_names())));
     }
 }
 
@@ -188,7 +196,7 @@ int list(ListOptions const& options) {
     if (options.what == "columns") {
         return list_columns(options);
     }
-    validate(!options.unverified.read_changed, "--unverified (of columns of files alone). Leave it out");
+    validate(!options.unverified.read_changed, "--unverified (used with list columns only). Leave it out");
     if (options.what == "keys") {
         return list_keys(options);
     }
@@ -199,9 +207,9 @@ int list(ListOptions const& options) {
     validate(options.named.empty(), "'{}' (one argument too many). See overturn list --help",
              options.named.empty() ? "" : options.named.front());
     validate(!options.schema && !options.markdown,
-             "--schema and --markdown (of keys alone, or columns). Say overturn list keys");
+             "--schema and --markdown (used with keys or columns only). Use overturn list keys");
     validate(!options.json || assumptions,
-             "--json (of keys and assumptions alone). Say overturn list assumptions --json");
+             "--json (used with keys or assumptions only). Use overturn list assumptions --json");
     if (assumptions) {
         fmt::print("{}", options.json ? model_assumptions_json().dump(2) + "\n" : model_assumptions_text());
     } else {
@@ -213,16 +221,14 @@ int list(ListOptions const& options) {
 }  // namespace
 
 void add_list(CommandLine& line) {
-    auto verb = line.verb(
-        "list", "what can be asked for: sources, targets, formats, effects, measures; all keys of a campaign");
+    auto verb = line.verb("list", "list keys, columns, spectra, record formats, measures, assumptions");
     auto options = std::make_shared<ListOptions>();
     verb.takes(
         "what", options->what,
-        fmt::format("keys: what a campaign may state; columns: what a results file holds; assumptions: what the model "
-                    "takes for granted; or one of {}; default: all of these",
+        fmt::format("keys: keys of a campaign; columns: columns of a results file; assumptions: assumptions of the "
+                    "model; or one of {}; default: all of these",
                     section_names()));
-    verb.takes("named", options->named,
-               "of keys: this table and those in it (waves, bodies.pad, ...); of columns: results files");
+    verb.takes("named", options->named, "with keys: a table (waves, bodies.pad, ...); with columns: results files");
     verb.takes("--json", options->json, "keys or assumptions as JSON");
     verb.takes("--schema", options->schema, "keys as a JSON schema, for editors of TOML");
     verb.takes("--markdown", options->markdown, "keys or columns as a page");

@@ -8,11 +8,11 @@
 namespace overturn::cli {
 
 void add_merge(CommandLine& line) {
-    auto verb = line.verb("merge", "make one results file of the blocks that run --part or --leave-blocks left");
+    auto verb = line.verb("merge", "make one results file from the blocks of run --part or --leave-blocks");
     auto path = std::make_shared<std::string>();
     auto text = std::make_shared<TextChoice>();
     auto packing = std::make_shared<Packing>();
-    verb.needs("file", *path, "results file to make: the -o of the parts");
+    verb.needs("file", *path, "results file to write: the -o of the parts");
     packing->offered_by(verb);
     text->offered_by(verb);
     verb.does([path, text, packing] {

@@ -37,15 +37,15 @@ struct NewOptions {
 void check_place(NewOptions const& options) {
     fs::path const path(options.file);
     validate(std::ranges::none_of(options.file, [](unsigned char c) { return c < ' '; }),
-             "new: a name with a control character (the file itself tells it). Say for example study.toml");
-    validate(path.extension() == ".toml", "{}: no name of a campaign (it ends with .toml). Say for example study.toml",
+             "new: the name has a control character (the name is written into the file). Use for example study.toml");
+    validate(path.extension() == ".toml",
+             "{}: not the name of a campaign (must end in .toml). Use for example study.toml", options.file);
+    validate(options.force || !fs::exists(path), "{}: exists already (it would be lost). Use another name, or --force",
              options.file);
-    validate(options.force || !fs::exists(path), "{}: there already (it would be lost). Say another name, or --force",
-             options.file);
-    validate(!fs::is_directory(path), "{}: a folder (a file shall have this name). Say another", options.file);
+    validate(!fs::is_directory(path), "{}: a folder (a file cannot have its name). Use another name", options.file);
     auto const folder = path.parent_path();
-    validate(folder.empty() || fs::is_directory(folder),
-             "{}: no folder {} (nowhere to write). Make it, or name another", options.file, folder.string());
+    validate(folder.empty() || fs::is_directory(folder), "{}: no folder {} (it must exist). Make it, or name another",
+             options.file, folder.string());
     store::require_writable(path);
 }
 
@@ -65,7 +65,7 @@ std::optional<std::string> ask(StudyQuestion const& question) {
             if (!question.must) {
                 return std::nullopt;
             }
-            print_note("  needed: nothing can be assumed for it\n");
+            print_note("  a value is required: none can be assumed\n");
             continue;
         }
         try {
@@ -88,7 +88,7 @@ void ask_what_is_missing(StudyAnswers& answers) {
 
 void require_all(StudyAnswers const& answers) {
     auto const missing = missing_answers(answers);
-    validate(missing.empty(), "new: {} (not stated, and nothing can be assumed). State {}, or answer at a terminal",
+    validate(missing.empty(), "new: {} missing (required: no value can be assumed). Give {}, or answer at a terminal",
              config::joined(missing), missing.size() == 1 ? "it" : "them");
 }
 
@@ -107,7 +107,7 @@ std::vector<std::string> files_in(std::string const& folder) {
             names.push_back(std::move(name));
         }
     }
-    validate(!names.empty(), "--records '{}' (a folder without files). Name the one where they lie", folder);
+    validate(!names.empty(), "--records '{}' (a folder without files). Name the folder with the records", folder);
     std::ranges::sort(names);
     return names;
 }
@@ -146,7 +146,8 @@ int write_study(NewOptions const& options) {
     try {
         load_files(input, folder.empty() ? fs::path(".") : folder);
     } catch (InputError const& error) {
-        throw InputError(fmt::format("new: nothing was written, because plan would refuse it: {}", error.what()));
+        throw InputError(
+            fmt::format("new: nothing was written, because overturn plan refuses the campaign: {}", error.what()));
     }
     auto const spec = parse_campaign(input);
     (void)stated_hazard(input, spec.levels);
@@ -155,24 +156,24 @@ int write_study(NewOptions const& options) {
         store::write_durably(path, bytes);
     } else {
         validate(store::create_durably(path, bytes),
-                 "{}: there already (it would be lost). Say another name, or --force", options.file);
+                 "{}: exists already (it would be lost). Use another name, or --force", options.file);
     }
     note_warnings(warnings_of(spec));
-    print_note("{}: {} trials. Assumed values are marked \"assumed\" in it. Next: overturn plan {}\n", options.file,
-               Plan(spec).without_refusals().trials(), options.file);
+    print_note("{}: {} trials. Assumed values are marked \"assumed\" in the file. Next: overturn plan {}\n",
+               options.file, Plan(spec).without_refusals().trials(), options.file);
     return done;
 }
 
 }  // namespace
 
 void add_new(CommandLine& line) {
-    auto verb = line.verb("new", "write a campaign of your own: asks at a terminal for what no option states");
+    auto verb = line.verb("new", "write a campaign file for your own cask; asks for missing values");
     auto options = std::make_shared<NewOptions>();
-    verb.needs("file", options->file, "the campaign to write, NAME.toml");
+    verb.needs("file", options->file, "campaign file to write, NAME.toml");
     for (auto const& question : study_questions()) {
         verb.takes(question.option, options->answers.*question.answer, question.words, question.example);
     }
-    verb.takes("--force", options->force, "write over a file that is there");
+    verb.takes("--force", options->force, "overwrite an existing file");
     verb.does([options] { return write_study(*options); });
 }
 

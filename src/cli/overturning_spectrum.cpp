@@ -107,22 +107,23 @@ void scale_record(output::OverturningSpectrum& spectrum, OverturningOptions cons
 }  // namespace
 
 void OverturningOptions::offered_by(Verb& verb) {
-    verb.takes("--overturning", asked, "which amplitudes of a pulse, or factors on the wave, overturn a body");
+    verb.takes("--overturning", asked, "find every amplitude of a pulse, or factor on the wave, that overturns a body");
     verb.takes("--pulse", pulse,
                fmt::format("with --overturning: {}", fmt::join(config::names_of(pulse_shapes()), ", ")));
     verb.takes("--p", p, "frequency parameter of the block [rad/s], in place of --body");
-    verb.takes("--alpha", alpha, "its critical angle, e.g. \"14 deg\"");
-    verb.takes("--restitution", restitution, "of its impacts");
+    verb.takes("--alpha", alpha, "critical angle of the block, e.g. \"14 deg\"");
+    verb.takes("--restitution", restitution, "coefficient of restitution of the block");
     verb.takes("--ratios", ratios,
                "omega/p of the pulse, omega = 2 pi / its period: 1,2,5 or first:last:count; default 0.5:10:40");
-    verb.takes("--frequencies", frequencies, "the same in Hz");
-    verb.takes("--gamma", gamma, "of the pulse mavroeidis-papageorgiou");
-    verb.takes("--phase", phase, "the same, e.g. \"90 deg\"");
+    verb.takes("--frequencies", frequencies, "frequencies of the pulse in Hz, in place of --ratios");
+    verb.takes("--gamma", gamma, "gamma of the pulse mavroeidis-papageorgiou");
+    verb.takes("--phase", phase, "phase of the pulse mavroeidis-papageorgiou, e.g. \"90 deg\"");
     verb.takes("--highest", highest,
-               fmt::format("where the scan ends, over the amplitude of uplift; default {}", default_highest));
-    verb.takes("--step", step, fmt::format("ratio of tried amplitudes, less 1; default {}", default_step));
-    verb.takes("--linearised", linearised, "of the linearised block, as in the papers");
-    verb.takes("-o,--output", output, "with --overturning or --rocking: the same as csv");
+               fmt::format("largest amplitude of the scan, over the amplitude of uplift; default {}", default_highest));
+    verb.takes("--step", step,
+               fmt::format("step of the scan: ratio of successive amplitudes minus 1; default {}", default_step));
+    verb.takes("--linearised", linearised, "use the linearised block, as in the literature");
+    verb.takes("-o,--output", output, "with --overturning or --rocking: write the result as csv");
 }
 
 bool OverturningOptions::states_more() const { return has_pulse_or_scan() || restitution || !(alpha + output).empty(); }

@@ -256,9 +256,9 @@ void add_plan(CommandLine& line) {
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
     verb.takes("--set", options->settings, "override keys: waves.count=50 seed=2", "KEY=VALUE ...");
     options->unit.offered_by(verb);
-    verb.takes("--ranks", options->ranks, "also predict time and busy share for this number of ranks", "N");
-    verb.takes("--json", options->json, "all of it as JSON, in SI");
-    verb.takes("--full", options->full, "every record, body, assumed value, model's time and block file too");
+    verb.takes("--ranks", options->ranks, "also estimate time and utilisation for this number of ranks", "N");
+    verb.takes("--json", options->json, "as JSON, in SI");
+    verb.takes("--full", options->full, "also list all records, bodies, assumed values, times by model, block files");
     verb.does([options] { return plan_campaign(*options); });
 }
 

@@ -112,11 +112,11 @@ int qualify_here(QualifyOptions const& options, parallel::Communicator const& co
 void add_qualify(CommandLine& line) {
     auto verb = line.verb("qualify", "compare this installation with known answers, alone or under mpirun");
     auto options = std::make_shared<QualifyOptions>();
-    verb.takes("folder", options->folder, "where outputs will lie: its file system is looked at too; default: here");
-    verb.takes("--published", options->published, "compare it with results that others published instead");
-    verb.takes("--html", options->page, "write a page that needs no network");
-    verb.takes("--json", options->json, "for scripts");
-    verb.takes("--date", options->date, "that the record shall bear, as you write it; default: none");
+    verb.takes("folder", options->folder, "folder for results, whose file system is checked too; default: here");
+    verb.takes("--published", options->published, "compare the program with published results instead");
+    verb.takes("--html", options->page, "write the record as a page (no network needed)");
+    verb.takes("--json", options->json, "print the record as JSON, to be filed or read by scripts");
+    verb.takes("--date", options->date, "date printed on the record, exactly as given; default: none");
     verb.does([options] { return on_all_ranks([&](auto const& comm) { return qualify_here(*options, comm); }); });
 }
 

@@ -90,12 +90,12 @@ int replay(ReplayOptions const& options) {
 }  // namespace
 
 void add_replay(CommandLine& line) {
-    auto verb = line.verb("replay", "rerun one trial from a results file alone and compare every bit");
+    auto verb = line.verb("replay", "recompute one trial of a results file and compare every bit");
     auto options = std::make_shared<ReplayOptions>();
     verb.needs("file", options->file, "results file");
     verb.needs("--trial", options->trial, "number of the row in /trials, from 0");
-    verb.takes("--rare", options->rare, "BODY: --trial is a row of /rare/BODY/rows");
-    verb.takes("--limit", options->limit, "beside --rare: the limit state; default: overturning");
+    verb.takes("--rare", options->rare, "name of a body: --trial is then a row of /rare/BODY/rows");
+    verb.takes("--limit", options->limit, "with --rare: limit state");
     verb.takes("--history", options->history, "write the trial's history to this csv file");
     verb.takes("--plot", options->plot, "draw wave, rotation, energy and contact over time, .svg, .png or .pdf");
     options->unit.offered_by(verb);

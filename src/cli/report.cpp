@@ -261,25 +261,24 @@ int write_report(ReportOptions const& options) {
 }  // namespace
 
 void add_report(CommandLine& line) {
-    auto verb = line.verb("report", "figures and tables of a results file on one page that needs no network");
+    auto verb = line.verb("report", "write a results file as one page with figures and tables");
     auto options = std::make_shared<ReportOptions>();
     verb.needs("file", options->file, "results file");
-    verb.needs("-o,--output", options->page, "the page, .html");
-    verb.takes("--figures", options->figures, "write the figures as svg and png and the tables as csv there too",
-               "DIR");
+    verb.needs("-o,--output", options->page, "page to write, .html");
+    verb.takes("--figures", options->figures, "also write figures (svg, png) and tables (csv) into this folder", "DIR");
     options->unit.offered_by(verb);
     verb.takes("--outcomes", options->outcomes,
-               "what became of real bodies under these motions (wave, motion, a column of 0 and 1 named as a body)",
+               "observed outcomes of real bodies under these motions: columns wave, motion, and 0 or 1 for each body",
                "TABLE.csv");
     verb.takes("--hazard", options->hazard,
-               "annual frequency by this hazard curve: '<measure> [unit], annual_exceedance' (csv); default: the "
-               "campaign's");
+               "hazard curve for annual frequencies: '<measure> [unit], annual_exceedance' (csv); default: that of the "
+               "campaign");
     verb.takes("--record", options->records,
-               "list this check among those made: what verify, qualify or cost wrote with --json; may be repeated",
+               "list this check on the page: a record of verify, qualify or cost (--json); may be repeated",
                "CHECK.json");
-    verb.takes("--date", options->date, "that the cover shall bear, as you write it; default: none");
-    verb.takes("--beta-u", options->beta_u, "lognormal standard deviation of what is not known of the body");
-    verb.takes("--confidence", options->confidence, "of the intervals; default: the campaign's");
+    verb.takes("--date", options->date, "date printed on the cover, exactly as given; default: none");
+    verb.takes("--beta-u", options->beta_u, "epistemic lognormal standard deviation beta_U, for HCLPF");
+    verb.takes("--confidence", options->confidence, "confidence level of all intervals; default: that of the campaign");
     options->unverified.offered_by(verb);
     verb.does([options] { return write_report(*options); });
 }

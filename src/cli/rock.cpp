@@ -95,7 +95,7 @@ int rock(RockOptions const& options) {
 }  // namespace
 
 void add_rock(CommandLine& line) {
-    auto verb = line.verb("rock", "one body under one wave");
+    auto verb = line.verb("rock", "compute one body under one wave");
     auto options = std::make_shared<RockOptions>();
     verb.needs("--body", options->body, "body file (TOML)");
     verb.needs("--wave", options->record.wave, "record, or columns time,a_horizontal[,a_vertical]");

@@ -60,9 +60,10 @@ output::RockingCurve curve_of(RockingBlock block, Excitation const& shaking, std
 }  // namespace
 
 void RockingSpectrumOptions::offered_by(Verb& verb) {
-    verb.takes("--rocking", asked, "how far blocks of many sizes tilt under the wave; with --alpha, --restitution");
-    verb.takes("--rocking-periods", periods,
-               "their 2 pi / p [s]: 1,2,5 or first:last:count; default 1:8:36 (uniform blocks of R = 0.19 to 12 m)");
+    verb.takes("--rocking", asked, "largest tilt of blocks of many sizes under the wave; with --alpha, --restitution");
+    verb.takes(
+        "--rocking-periods", periods,
+        "values of 2 pi / p [s]: 1,2,5 or first:last:count; default 1:8:36 (uniform blocks with R = 0.19 to 12 m)");
 }
 
 output::RockingSpectrum rocking_spectrum(RockingSpectrumOptions const& options, RecordOptions const& record,

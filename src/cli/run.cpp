@@ -119,17 +119,17 @@ void add_run(CommandLine& line) {
     auto verb = line.verb("run", "run a campaign, alone or under mpirun");
     auto options = std::make_shared<RunVerbOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
-    verb.takes("-o,--output", options->output, "results file; default: the campaign's name with .h5, here");
-    verb.takes("--resume", options->resume, "go on with what an earlier run left behind");
+    verb.takes("-o,--output", options->output, "results file; default: NAME.h5 of NAME.toml, in the current folder");
+    verb.takes("--resume", options->resume, "continue an interrupted run");
     verb.takes("--extend", options->extend,
-               "more waves, levels or bodies, other limits or statistics: rows of the finished file at -o are kept");
+               "add waves, levels, bodies, limits or statistics to the finished file at -o; its rows are kept");
     verb.takes("--set", options->settings, "override keys: waves.count=50 bodies.0.friction=0.4", "KEY=VALUE ...");
     verb.takes("--max-walltime", options->max_walltime,
-               "stop in time to be resumed, \"50 min\", 01:00:00, 1-00:00:00; a bare number is seconds");
-    verb.takes("--part", options->part, "I/N: only the I-th of N parts, for array jobs; merge puts them together");
+               "stop within this time, to be resumed later: \"50 min\", 01:00:00, 1-00:00:00; without a unit: seconds");
+    verb.takes("--part", options->part, "I/N: compute part I of N, for array jobs; overturn merge then makes the file");
     verb.takes("--leave-blocks", options->leaves_blocks,
-               "make no results file: merge does, in a job of one rank while no other waits");
-    verb.takes("--progress", options->progress, "json: what is told on stderr as one JSON object a line", "json");
+               "write blocks only; overturn merge then makes the file in a job of one rank");
+    verb.takes("--progress", options->progress, "json: write progress to stderr, one JSON object per line", "json");
     options->packing.offered_by(verb);
     options->text.offered_by(verb);
     verb.does([options] {

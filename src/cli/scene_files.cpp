@@ -20,13 +20,16 @@ bool RecordOptions::says_how_to_read() const {
 
 void add_record_options(Verb& verb, RecordOptions& options) {
     verb.takes("--unit", options.unit,
-               "unit of the accelerations: g, gal, m/s2, or of a count \"2.4e-6 m/s2\"; where the file has none");
-    verb.takes("--time-step", options.time_step, "for files that state none, e.g. \"0.01 s\"");
-    verb.takes("--format", options.format, "record format, see overturn list; default: by the content");
-    verb.takes("--columns", options.columns, "what a table's columns are where names do not say it, e.g. time,h1,h2,v");
-    verb.takes("--component", options.component, "what goes into the rocking plane, e.g. EW");
-    verb.takes("--components", options.components, "file, horizontal, or station: also the files beside it");
-    verb.takes("--baseline", options.baseline, "none, mean, polynomial, or \"high-pass 0.05 Hz\"");
+               "unit of the accelerations, if the file does not state it: g, gal, m/s2, or \"2.4e-6 m/s2\" per count");
+    verb.takes("--time-step", options.time_step, "time step, if the file does not state it, e.g. \"0.01 s\"");
+    verb.takes("--format", options.format,
+               "record format (overturn list formats); default: recognised from the content");
+    verb.takes("--columns", options.columns,
+               "meaning of the columns, if their names do not state it, e.g. time,h1,h2,v");
+    verb.takes("--component", options.component, "component in the rocking plane, e.g. EW");
+    verb.takes("--components", options.components,
+               "file: all in the file; horizontal: one only; station: also from the files beside it");
+    verb.takes("--baseline", options.baseline, "baseline correction: none, mean, polynomial, or \"high-pass 0.05 Hz\"");
 }
 
 PlacedRecord load_motion(RecordOptions const& options) {

@@ -60,10 +60,10 @@ int show_spectra(SpectraOptions const& options) {
 }  // namespace
 
 void add_spectra(CommandLine& line) {
-    auto verb = line.verb("spectra", "response and energy spectra of a campaign's waves, beside their targets");
+    auto verb = line.verb("spectra", "response and energy spectra of a campaign's waves, and the targets");
     auto options = std::make_shared<SpectraOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
-    verb.takes("--waves", options->waves, "so many, from the first");
+    verb.takes("--waves", options->waves, "number of waves, from the first");
     verb.takes("--damping", options->damping, "damping ratio of V_E");
     options->unit.offered_by(verb);
     verb.takes("--plot", options->plot, "draw them: out.svg, .png or .pdf");

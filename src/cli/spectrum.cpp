@@ -154,8 +154,7 @@ int spectrum(SpectrumOptions const& options) {
 }  // namespace
 
 void add_spectrum(CommandLine& line) {
-    auto verb = line.verb(
-        "spectrum", "response, energy and window energy spectra of one wave, or an overturning or rocking spectrum");
+    auto verb = line.verb("spectrum", "spectra of one wave; overturning spectrum; rocking spectrum");
     auto options = std::make_shared<SpectrumOptions>();
     verb.takes("--wave", options->record.wave, "record, or columns time,a_horizontal");
     add_record_options(verb, options->record);

@@ -235,12 +235,12 @@ int status(std::string const& path, Unverified const& unverified, bool json) {
 }  // namespace
 
 void add_status(CommandLine& line) {
-    auto verb = line.verb("status", "is a run complete? exit 0: yes, 3: resumable");
+    auto verb = line.verb("status", "show whether a run is complete (exit 0) or can be resumed (exit 3)");
     auto path = std::make_shared<std::string>();
     auto unverified = std::make_shared<Unverified>();
     verb.needs("file", *path, "results file");
     auto json = std::make_shared<bool>(false);
-    verb.takes("--json", *json, "as JSON; blocks of an unfinished run are counted, not read, and it may be under way");
+    verb.takes("--json", *json, "as JSON; blocks of an unfinished run are counted but not read");
     unverified->offered_by(verb);
     verb.does([path, unverified, json] { return status(*path, *unverified, *json); });
 }

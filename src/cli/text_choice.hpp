@@ -16,9 +16,9 @@ struct TextChoice {
     VelocityUnit unit;
 
     void offered_by(Verb& verb) {
-        verb.takes("--full", full, "print every section behind the answer");
+        verb.takes("--full", full, "also print all sections below the answer");
         verb.takes("--section", sections,
-                   "print these behind the answer, as stripes,curves: "
+                   "also print these sections below the answer, e.g. stripes,curves; sections: "
                        + fmt::format("{}", fmt::join(output::section_names(), ", ")));
         unit.offered_by(verb);
     }

@@ -18,7 +18,7 @@ struct VelocityUnit {
 
     void offered_by(Verb& verb) {
         verb.takes("--velocities", requested,
-                   "unit of velocities in figures and tables: kine, m/s; default: that of the campaign", "UNIT");
+                   "unit of velocities in figures and tables: kine or m/s; default: that of the campaign", "UNIT");
     }
     /// \throws InputError where what was requested is no unit of velocity
     void check() const { (void)alone().si(); }

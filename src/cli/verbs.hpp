@@ -14,7 +14,7 @@ struct Unverified {
 
     void offered_by(Verb& verb) {
         verb.takes("--unverified", read_changed,
-                   "read a file that was edited or damaged since overturn wrote it, as it is");
+                   "read the file even if it was edited or damaged after overturn wrote it");
     }
     [[nodiscard]] store::Trust trust() const { return read_changed ? store::Trust::unverified : store::Trust::sealed; }
     /// Says that a file is not as it was written, and that what follows is read from it as it is.
@@ -29,8 +29,7 @@ struct Packing {
     bool packed = false;
 
     void offered_by(Verb& verb) {
-        verb.takes("--packed", packed,
-                   "write a compressed results file: the same content in about a sixth of the size");
+        verb.takes("--packed", packed, "compress the results file: same content, about one sixth of the size");
     }
     [[nodiscard]] store::Layout layout() const { return packed ? store::Layout::packed : store::Layout::plain; }
 };

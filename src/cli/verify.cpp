@@ -75,15 +75,15 @@ int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
 }  // namespace
 
 void add_verify(CommandLine& line) {
-    auto verb = line.verb("verify", "recompute rows of a results file, alone or under mpirun, and compare every bit");
+    auto verb = line.verb("verify", "recompute the rows of a results file and compare every bit");
     auto options = std::make_shared<VerifyOptions>();
     verb.needs("file", options->file, "results file");
-    verb.takes("--sample", options->rows.sample, "so many rows drawn at random; default: all");
-    verb.takes("--seed", options->rows.seed, "of that drawing; another one draws other rows");
+    verb.takes("--sample", options->rows.sample, "recompute this number of rows, drawn at random; default: all");
+    verb.takes("--seed", options->rows.seed, "seed of that draw; another seed draws other rows");
     options->unverified.offered_by(verb);
-    verb.takes("--json", options->json, "for scripts, and to be filed");
-    verb.takes("--html", options->page, "write a page that needs no network");
-    verb.takes("--date", options->date, "that the record shall bear, as you write it; default: none");
+    verb.takes("--json", options->json, "print the record as JSON, to be filed or read by scripts");
+    verb.takes("--html", options->page, "write the record as a page (no network needed)");
+    verb.takes("--date", options->date, "date printed on the record, exactly as given; default: none");
     verb.does([options] { return on_all_ranks([&](auto const& comm) { return verify(*options, comm); }); });
 }
 

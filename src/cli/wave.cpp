@@ -121,10 +121,11 @@ void add_wave(CommandLine& line) {
     auto options = std::make_shared<WaveOptions>();
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
     verb.needs("--wave", options->wave, "number of the wave, from 0");
-    verb.takes("-o,--output", options->output, "out.csv, or out.at2 (one file per component); default: csv here");
+    verb.takes("-o,--output", options->output,
+               "out.csv, or out.at2 (one file per component); default: csv in the current folder");
     verb.takes("--plot", options->plot, "draw it: out.svg, .png or .pdf");
     options->unit.offered_by(verb);
-    verb.takes("--json", options->json, "how right the wave is, clause by clause, on standard output");
+    verb.takes("--json", options->json, "print as JSON how the wave meets each clause of its rule");
     verb.takes("--set", options->settings, "override keys: seed=2 waves.count=50", "KEY=VALUE ...");
     verb.does([options] { return show_wave(*options); });
 }

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::array contact_effect{EffectEntry{
     Effect::contact, "contact",
-    "a compliant base that bounces and is crushed; called for by a bedding that is not two corners, a loss of "
-    "contact, and, where base or pad are stated, a tilt of 0.3 alpha or an impact near the pad's strength"}};
+    "compliant base that can bounce and crush the pad; required by a bedding other than two corners, by a loss of "
+    "contact, and, if base or pad is stated, by a tilt of 0.3 alpha or an impact near the pad's strength"}};
 
 constexpr std::array channels{
     Channel{"time_s"},   Channel{"rotation_rad"}, Channel{"velocity_radps"}, Channel{"sway_m"},

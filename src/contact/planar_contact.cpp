@@ -47,7 +47,8 @@ template <> Fields const& fields_of<ContactQuantities>() {
             "gravity"),
         field<&Q::rotation_most_rad>("rotation_most", "rad", "largest rotation towards +x; pi/2 if it fell that way"),
         field<&Q::rotation_least_rad>("rotation_least", "rad", "the same towards -x, negative"),
-        field<&Q::restitution>("restitution", "1", "angular velocity after over before an impact, from base and pad"),
+        field<&Q::restitution>("restitution", "1",
+                               "ratio of angular velocities after and before an impact, from base and pad"),
         field<&Q::corner_share>("corner_share", "1", "share of the stiffness on the corners; NaN: a round base"),
         field<&Q::normal_restitution>("normal_restitution", "1",
                                       "restitution of one point of the base in a flat drop")};

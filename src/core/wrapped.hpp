@@ -19,7 +19,7 @@ inline constexpr std::size_t line_width = 100;
 
 inline constexpr std::size_t label_width = 10;
 
-/// A label, and its text below it, in lines of that width.
-[[nodiscard]] std::string labelled(std::string_view label, std::string_view text);
+/// A label in a column of `width`, and its text beside it in lines that fit a terminal.
+[[nodiscard]] std::string labelled(std::string_view label, std::string_view text, std::size_t width = label_width);
 
 }  // namespace overturn

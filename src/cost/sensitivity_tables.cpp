@@ -105,7 +105,7 @@ Table moved_table(Sensitivity const& study) {
              [](MovedEnd const& moved) { return output::text_or_none(moved.input->refused.at(moved.end)); })
         .add("median_ratio", "1", "median with it moved over that without",
              [](MovedEnd const& moved) { return moved.shift().median_ratio; })
-        .add("median_ratio", "1", "it, waves resampled",
+        .add("median_ratio", "1", "the ratio, by bootstrap over waves",
              [](MovedEnd const& moved) {
                  auto ratio = moved.shift().median_interval;
                  if (ratio && ratio->lower == 0) {
@@ -113,7 +113,7 @@ Table moved_table(Sensitivity const& study) {
                  }
                  return ratio;
              })
-        .add("resolved", "1", "1: more than resampled waves make of nothing",
+        .add("resolved", "1", "1: significant (the interval excludes no change)",
              [](MovedEnd const& moved) { return moved.shift().resolved(); })
         .add("compared", "1", "trials that both decide", [](MovedEnd const& moved) { return moved.shift().compared; })
         .add("newly_passed", "1", "of them pass the limit only when it is moved",

@@ -30,7 +30,7 @@ void add_spread(TableOf<Row>& table, std::string const& name, std::string const&
 }
 
 template <class Row> void add_verdicts(TableOf<Row>& table) {
-    table.add("trials", "1", "verdicts held against the reference", mem_fn(&Row::trials))
+    table.add("trials", "1", "verdicts compared with the reference", mem_fn(&Row::trials))
         .add("flips", "1", "verdicts that differ", mem_fn(&Row::flips))
         .add("overturning_flips", "1", "verdicts that differ between stood, overturned and undecided",
              mem_fn(&Row::overturning_flips))
@@ -100,10 +100,9 @@ Table knob_table(std::vector<KnobResult> const& knobs) {
         .add("title", "1", "what it is", [](KnobResult const& k) { return k.knob.title; })
         .add("error", "1", "what the error of its settings means", [](KnobResult const& k) { return k.knob.error; })
         .add("timed", "1", "what their CPU time is for", [](KnobResult const& k) { return k.knob.timed; })
-        .add("samples", "1", "so many of these are behind every setting", mem_fn(&KnobResult::units))
-        .add("floor", "1", "errors up to here are what rounding does", mem_fn(&KnobResult::floor))
-        .add("advice", "1", "where the campaign stands, and what the next setting would buy",
-             mem_fn(&KnobResult::advice));
+        .add("samples", "1", "number of these for every setting", mem_fn(&KnobResult::units))
+        .add("floor", "1", "errors up to this size come from rounding", mem_fn(&KnobResult::floor))
+        .add("advice", "1", "setting of the campaign, and the effect of the next one", mem_fn(&KnobResult::advice));
     return table.take();
 }
 
@@ -116,7 +115,7 @@ Table setting_table(KnobResult const& of) {
                  auto const& set = row.setting.settings;
                  return output::text_or_none(set.empty() ? "" : fmt::format("--set {}", fmt::join(set, " --set ")));
              })
-        .add("here", "1", "1: where the campaign stands", mem_fn(&Measured::here))
+        .add("here", "1", "1: setting of the campaign", mem_fn(&Measured::here))
         .add("on_front", "1", "1: on the Pareto front of cpu and error_p95", mem_fn(&Measured::on_front))
         .add("cpu", "s", "CPU time per " + of.knob.timed + ", best of a few", mem_fn(&Measured::seconds));
     add_spread(table, "error", of.knob.error, &Measured::error);
@@ -126,7 +125,7 @@ Table setting_table(KnobResult const& of) {
 
 Table step_error_table(StepError const& error) {
     TableOf<QuantityError> table({.name = "step_error", .group = "step_error"}, error.quantities);
-    table.add("quantity", "1", "what a limit state may be set to", mem_fn(&QuantityError::name));
+    table.add("quantity", "1", "quantity that a limit state may use", mem_fn(&QuantityError::name));
     add_spread(table, "step", "relative difference that half the step makes, of trials that end alike",
                &QuantityError::step);
     add_spread(table, "last_bit", "relative difference that a last bit of the motion makes, of trials that end alike",

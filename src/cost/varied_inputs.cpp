@@ -107,8 +107,8 @@ std::string why_unvaried(config::InputValue const& value) {
     if (!value.range.empty()) {
         return "";
     }
-    return !value.number        ? "no number: a range of two values would say between what it may lie"
-           : *value.number == 0 ? "0 has no tenth: state a range"
+    return !value.number        ? "not a number: state a range of two values"
+           : *value.number == 0 ? "a tenth of 0 is 0: state a range"
                                 : "";
 }
 

@@ -26,8 +26,7 @@ Names names_of(TextTable const& table, std::string const& file, PairForm const& 
         }
         if (others) {
             throw InputError({file, line.number},
-                             fmt::format("{} above two columns (names of another number of them: which is which cannot "
-                                         "be told). Mend the names",
+                             fmt::format("{} above two columns (another number of names than columns). Mend the names",
                                          in_quotes(line.text)));
         }
     };

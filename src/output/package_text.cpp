@@ -157,7 +157,7 @@ std::vector<std::string> hand_check_lines(CampaignSpec const& spec, std::span<Ha
         return lines;
     }
     lines.push_back(fmt::format(
-        "energy balance under the 84 % spectrum of the first {} waves, of two horizontal components their vector",
+        "energy balance under the 84th-percentile spectrum of the first {} waves (two horizontal components: vector)",
         checks.front().waves));
     if (!checks.front().left_out.empty()) {
         lines.push_back(fmt::format(

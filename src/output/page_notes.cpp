@@ -17,7 +17,7 @@ Json outcome_notes() {
          "resample motions with all their tests."},
         {"brier",
          "Brier score {score}; the score of a prediction that gives every test the share of falls is {share}."},
-        {"several", "{bodies} bodies stand for it. {rule} Half of the votes call a test safe. Votes: {votes}."},
+        {"several", "{bodies} bodies represent it. {rule} Half of the votes predict a test safe. Votes: {votes}."},
         {"rule_left_out",
          "On each motion those bodies vote that agree with the outcomes of the other motions within a standard error "
          "of "
@@ -26,9 +26,8 @@ Json outcome_notes() {
         {"vote", "{body} ({count} of {motions})"},
         {"more_votes", "and {count} more"},
         {"one",
-         "One body stands for it, the same for every motion. Whether its numbers were chosen by these outcomes only "
-         "its "
-         "file can say (Assumptions)."},
+         "One body represents it, the same for every motion. Its file states whether its values were fitted to these "
+         "outcomes (Assumptions)."},
         {"undecided", "{undecided} of {tested} tests are left out: their trials have no verdict."},
         {"counts",
          "False safe: predicted to stand, yet fell. The exact interval takes tests as independent. Tests of one motion "
@@ -59,7 +58,7 @@ Json page_notes(Answered const& of) {
          "An estimate that is not trusted or not resolved is not reported. In its place stands the upper bound from "
          "plain trials."},
         {"telling_trials",
-         "Nearest miss and largest slip are of trials that did not overturn. Changes back: the same wave overturned "
+         "Nearest miss and largest slip are of trials that did not overturn. Non-monotonic: the same wave overturned "
          "the body at a lower level."},
         {"frequency",
          "Annual frequency. The interval includes what lies beyond the levels and beyond the hazard curve. Beside it "

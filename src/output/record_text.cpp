@@ -94,7 +94,7 @@ std::string text_of(PlacedRecord const& record, RecordSpectra const& spectra, Sh
         text += fmt::format("V_WES {:.4f} {} at {:.2f} s: {} (running window: {:.4f} {})\n",
                             unit.of(energy->restarted.v_wes_max_mps), symbol, energy->restarted.v_wes_time_s,
                             verdict(energy->restarted.v_wes_max_mps), unit.of(energy->running.v_wes_max_mps), symbol);
-        text += "these are predictions, which can be false: overturn rock tells whether it falls under this wave\n";
+        text += "these predictions can be false: overturn rock computes whether the body overturns under this wave\n";
     }
     text += fmt::format("\n{:>9} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "period s", "Sa m/s2", "pSv " + symbol, "Sd m",
                         "V_E " + symbol, "V_E0 " + symbol);

@@ -145,7 +145,7 @@ Table two_measure_table(std::span<TwoMeasures const> fits, double confidence) {
         table
             .add(name, "1", what,
                  [get](Row const& row) { return row.fit ? std::optional(get(*row.fit).value) : std::nullopt; })
-            .add(name, "1", "it, waves resampled",
+            .add(name, "1", "the coefficient, by bootstrap over waves",
                  [get](Row const& row) { return row.fit ? std::optional(get(*row.fit).interval) : std::nullopt; });
     };
     table.add("body", "1", "the body", [](Row const& row) { return row.body; })

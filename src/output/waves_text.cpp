@@ -29,7 +29,7 @@ std::string waves_text(WaveCounts const& counts, Acceptance const& acceptance, d
                         refused, drawn, 100.0 * static_cast<double>(refused) / static_cast<double>(drawn),
                         100 * share.lower, 100 * share.upper);
         if (waves > 0 && waves * acceptance.most_drawn < drawn) {
-            text += "; fewer are used than were asked for, since no more are drawn";
+            text += "; fewer waves are used than waves.count, because no more may be drawn";
         }
     }
     return text;

@@ -11,7 +11,7 @@
 namespace overturn {
 namespace {
 
-constexpr std::array modes{config::Entry<EffectMode>{"auto", "what each scene calls for", EffectMode::automatic},
+constexpr std::array modes{config::Entry<EffectMode>{"auto", "effects that each trial requires", EffectMode::automatic},
                            config::Entry<EffectMode>{"none", "plain rocking", EffectMode::none}};
 
 }  // namespace

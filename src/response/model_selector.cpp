@@ -69,7 +69,7 @@ ModelSelector::ModelSelector(EffectRequest const& request, Accuracy const& accur
     }
     OVERTURN_EXPECT(models_.size() <= most_models);
     validate(request.mode != EffectMode::forced || cheapest(request.include) != none,
-             "effects {} (no model holds them together). Leave one out", text_of(request));
+             "effects {} (no model supports them together). Leave one out", text_of(request));
 }
 
 std::size_t ModelSelector::cheapest(EffectMask needed) const {

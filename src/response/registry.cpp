@@ -82,8 +82,8 @@ std::span<Category const> model_categories() {
 std::span<ReasonEntry const> reasons() {
     static auto const entries = [] {
         std::vector<ReasonEntry> all{
-            {no_reason, "none", "the cheapest model says all"},
-            {stated_reason, "stated", "its effects are stated, not called for"},
+            {no_reason, "none", "the simplest model supports all required effects"},
+            {stated_reason, "stated", "its effects are stated in the campaign"},
             {left_out_reason, "left-out", "no model supports all required effects together: some are not simulated"}};
         for (auto const& model : models()) {
             auto const& own = model.traits().reasons;

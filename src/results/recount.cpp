@@ -231,7 +231,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec, T
     }
     each_row<TrialRow>(file, table, done * plan.trials_per_wave(), [&](TrialRow const& row) {
         require(row.level >= 0 && row.level < levels,
-                fmt::format("trials/level holds {}, which names nothing", row.level));
+                fmt::format("trials/level holds {}, which is no level", row.level));
         statistics.add(row, own.next());
     });
     for (auto const& counted : file.is_sealed() ? statistics.bodies() : std::vector<BodyStatistics>{}) {

@@ -40,11 +40,11 @@ class Candidates {
             largest_slip_ = trial;
         }
         if (fall_ && fall_->wave == trial.wave) {
-            if (changes_back_.empty() || changes_back_.back().wave != trial.wave) {
-                changes_back_.emplace_back();
+            if (non_monotonic_.empty() || non_monotonic_.back().wave != trial.wave) {
+                non_monotonic_.emplace_back();
             }
-            changes_back_.back() = trial;  // of a wave the highest
-            changes_back_.back().overturned_at = fall_->amplitude;
+            non_monotonic_.back() = trial;  // of a wave the highest
+            non_monotonic_.back().overturned_at = fall_->amplitude;
         }
     }
 
@@ -58,12 +58,12 @@ class Candidates {
         put(first_overturned_, TellingKind::first_overturned);
         put(nearest_miss_, TellingKind::nearest_miss);
         put(largest_slip_, TellingKind::largest_slip);
-        std::ranges::stable_sort(changes_back_, [](auto const& a, auto const& b) {
+        std::ranges::stable_sort(non_monotonic_, [](auto const& a, auto const& b) {
             return a.amplitude / a.overturned_at > b.amplitude / b.overturned_at;
         });
-        changes_back_.resize(std::min(changes_back_.size(), most_changes_back));
-        for (auto const& trial : changes_back_) {
-            put(trial, TellingKind::changes_back);
+        non_monotonic_.resize(std::min(non_monotonic_.size(), most_non_monotonic));
+        for (auto const& trial : non_monotonic_) {
+            put(trial, TellingKind::non_monotonic);
         }
     }
 
@@ -71,7 +71,7 @@ class Candidates {
     bool slips_;
     std::optional<TellingTrial> first_overturned_, nearest_miss_, largest_slip_;
     std::optional<TellingTrial> fall_;  // the last wave's lowest
-    std::vector<TellingTrial> changes_back_;
+    std::vector<TellingTrial> non_monotonic_;
 };
 
 }  // namespace

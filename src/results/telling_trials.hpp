@@ -21,15 +21,15 @@ enum class TellingKind : std::uint8_t {
     first_overturned,  ///< fell at the lowest level of all; of several the one with the lowest number
     nearest_miss,      ///< highest peak rotation of those that moved and stood
     largest_slip,      ///< of those that stood
-    changes_back       ///< stood at a higher level than one at which the same wave overturned the body
+    non_monotonic      ///< stood at a higher level than one at which the same wave overturned the body
 };
 
-/// "first-overturned", "nearest-miss", "largest-slip", "changes-back", by their places.
+/// "first-overturned", "nearest-miss", "largest-slip", "non-monotonic", by their places.
 inline constexpr std::array<std::string_view, 4> telling_kinds{"first-overturned", "nearest-miss", "largest-slip",
-                                                               "changes-back"};
+                                                               "non-monotonic"};
 
 /// Largest number of trials of the last kind, for a body.
-inline constexpr std::size_t most_changes_back = 3;
+inline constexpr std::size_t most_non_monotonic = 3;
 
 struct TellingTrial {
     TellingKind kind = TellingKind::first_overturned;
@@ -38,7 +38,7 @@ struct TellingTrial {
     double amplitude = 0;  ///< of the level, SI
     Verdict verdict = Verdict::at_rest;
     double peak_rotation_ratio = 0, peak_slip_m = 0;
-    /// Lowest amplitude at which the wave overturned the body, SI; for changes_back only, else NaN.
+    /// Lowest amplitude at which the wave overturned the body, SI; for non_monotonic only, else NaN.
     double overturned_at = std::numeric_limits<double>::quiet_NaN();
 };
 

@@ -14,16 +14,14 @@
 namespace overturn {
 namespace {
 
-constexpr std::array vertical_effect{
-    EffectEntry{Effect::vertical, "vertical",
-                "vertical motion changes gravity; called for when the wave has a vertical component"}};
-constexpr std::array sliding_effect{
-    EffectEntry{Effect::sliding, "sliding",
-                "Coulomb stick-slip, slide-rocking, slip at impacts; called for when the no-slip motion would "
-                "need more friction than the static coefficient"}};
+constexpr std::array vertical_effect{EffectEntry{
+    Effect::vertical, "vertical", "vertical motion changes gravity; required by a wave with a vertical component"}};
+constexpr std::array sliding_effect{EffectEntry{Effect::sliding, "sliding",
+                                                "Coulomb stick-slip, slide-rocking, slip at impacts; required where "
+                                                "motion without slip needs more friction than the static coefficient"}};
 
 constexpr std::array sliding_reasons{
-    ReasonEntry{2, "friction-demand", "the motion without slip would need more friction than there is"}};
+    ReasonEntry{2, "friction-demand", "motion without slip needs more friction than the static coefficient"}};
 
 constexpr std::array channels{Channel{"time_s"},
                               Channel{"rotation_rad"},

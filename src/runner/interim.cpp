@@ -38,7 +38,7 @@ Interim interim_results(std::filesystem::path const& output) {
         statistics.add(rows_of_chosen(std::move(rows), plan, block, chosen));
         ++blocks;
     }
-    validate(counted > 0, "{}: nothing to fit yet (no wave of its run is committed). Ask again later", output.string());
+    validate(counted > 0, "{}: nothing to fit yet (no wave of the run is complete). Try again later", output.string());
     return {std::move(input),
             std::move(spec),
             std::move(statistics),

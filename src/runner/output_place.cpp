@@ -172,7 +172,7 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
     validate(has_withheld(input) || file.text("input_sha256") == input.sha256(),
              "output {} (made {}, or with other input files). {} with -o", output.string(),
              only_more ? "with other waves, levels, bodies, limits, statistics or title" : "with other settings",
-             only_more ? "Say --extend, which keeps its rows, or name another" : "Name another");
+             only_more ? "Use --extend, which keeps its rows, or name another" : "Name another");
     store::ShardFolder const shards(output, input.block_key());
     if (!shards.exists() || !(claimed || becomes_free(shards))) {
         return;
@@ -195,7 +195,7 @@ OutputState claim_output(std::filesystem::path const& output, store::ShardFolder
     bool const extends = request.extend && can_be_extended(output, input) && !is_same_campaign(output, input);
     auto const refuse_taken = [&] {
         validate(request.resume || !std::filesystem::exists(output),
-                 "output {} (is there already and would be lost). Remove it, or name another with -o", output.string());
+                 "output {} (exists already and would be lost). Remove it, or name another with -o", output.string());
     };
     refuse_taken();
     if (extends || !std::filesystem::exists(output)) {

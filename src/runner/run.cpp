@@ -108,7 +108,7 @@ class Run {
             for (auto const& remark : spec_.source->about().remarks) {
                 print_note("remark: {}\n", remark);
             }
-            print_note("they differ by {}\n", spec_.source->about().variability);
+            print_note("variability: {}\n", spec_.source->about().variability);
             print_note("validated range: {}\n", validated_range_text(spec_));
             for (auto const& line : warnings_of(spec_)) {
                 print_note("warning: {}\n", line);

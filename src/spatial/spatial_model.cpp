@@ -16,10 +16,10 @@
 namespace overturn {
 namespace {
 
-constexpr std::array spatial_effect{EffectEntry{
-    Effect::spatial, "spatial",
-    "two horizontal components and three rotations; called for by a polygonal base, by a round one (of points: "
-    "with a second component), and where that component may tip or slide a square one"}};
+constexpr std::array spatial_effect{
+    EffectEntry{Effect::spatial, "spatial",
+                "two horizontal components and three rotations; required by a polygonal base, by a round base (on "
+                "points: with a second component), and by a second component that may tip or slide a square base"}};
 
 constexpr std::int64_t of_transverse = 7;
 constexpr std::int64_t of_round = 8;

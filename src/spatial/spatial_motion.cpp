@@ -25,7 +25,7 @@ template <> Fields const& fields_of<SpatialQuantities>() {
         field<&Q::peak_yaw_rad>("peak_yaw", "rad", "largest rotation about the body's axis"),
         field<&Q::slip_path_m>("slip_path", "m", "path length of the base in plan, by slip, rolling or walking"),
         field<&Q::residual_x_m>("residual_x", "m", "x of the base's centre at the end"),
-        field<&Q::residual_y_m>("residual_y", "m", "the same along y"),
+        field<&Q::residual_y_m>("residual_y", "m", "y of the base's centre at the end"),
         field<&Q::edge_x_most_m>("edge_x_most", "m",
                                  "largest x of the base's edge, from the initial axis; of a "
                                  "base with corners the circle round them"),
@@ -38,7 +38,8 @@ template <> Fields const& fields_of<SpatialQuantities>() {
         field<&Q::landing_azimuth_rad>(
             "landing_azimuth", "rad",
             "direction in plan in which an overturned body lies, from x towards y; NaN: none"),
-        field<&Q::restitution>("restitution", "1", "angular velocity after over before an impact, from base and pad"),
+        field<&Q::restitution>("restitution", "1",
+                               "ratio of angular velocities after and before an impact, from base and pad"),
         field<&Q::corner_share>("corner_share", "1", "share of the stiffness on the corners; NaN: no square base"),
         field<&Q::normal_restitution>("normal_restitution", "1",
                                       "restitution of one point of the base in a flat drop")};

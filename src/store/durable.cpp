@@ -33,7 +33,7 @@ char const* advice_on_disk(int reason) {
         case EPERM:
             return "Make it writable, then go on with --resume";
         default:
-            return "Look after the disk, then go on with --resume";
+            return "Check the disk, then go on with --resume";
     }
 }
 

@@ -59,8 +59,8 @@ ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std
     : path_(path), trust_(trust), opened_(std::make_unique<Opened>()) {
     auto const parts = path.string() + ".parts";
     validate(std::filesystem::exists(path) || !std::filesystem::is_directory(parts),
-             "{}: not there yet (its run is unfinished, {} holds what is done). Ask overturn status {} or "
-             "overturn fit --interim {}, and go on with overturn run --resume",
+             "{}: not there yet (the run is unfinished; {} holds the finished blocks). See overturn status {} or "
+             "overturn fit --interim {}; go on with overturn run --resume",
              path.string(), parts, path.string(), path.string());
     validate(std::filesystem::exists(path), "{}: no such file (nothing to read). Check the name", path.string());
     auto const no_file = what_is_no_file(path);

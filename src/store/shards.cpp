@@ -164,7 +164,7 @@ std::vector<std::int64_t> ShardFolder::block_files(BlockRange range, std::vector
         if (auto const block = entry.block()) {
             blocks.push_back(*block);
         } else if (notes != nullptr) {
-            notes->push_back(fmt::format("{}: not a block of ours (left alone)", entry.path.string()));
+            notes->push_back(fmt::format("{}: not a block of this run (left as it is)", entry.path.string()));
         }
     });
     std::sort(blocks.begin(), blocks.end());

@@ -81,7 +81,7 @@ TEST(StatedEffects, LimitsToWhatNoTrialHasAreReported) {
     auto const warned = [](std::string const& quantity, std::string const& waves, std::string const& body) {
         auto const text = testing::quick_waves + waves + testing::type_b + body + testing::levels("values=[6]\n")
                           + "[[limits]]\nname='far'\nquantity='" + quantity + "'\nabove=0.5\n";
-        return told(warnings_of(campaign_from(text)), "have no " + quantity + ", and so no verdict unless");
+        return told(warnings_of(campaign_from(text)), "have no " + quantity + ", so they have no verdict unless");
     };
     char const* const across = "[waves.transverse]\nratio=1\n";
     for (auto const* const quantity : {"friction_demand", "friction_work", "rotation_at_peak"}) {

@@ -215,7 +215,7 @@ TEST(Plan, RefusesLevelsByAPgdThatIsDrift) {
     std::string const noise =
         "[waves]\nsource='filtered-noise'\nmodel='kanai-tajimi'\nrms=1\nduration='60 s'\ncount=2\n";
     testing::expect_input_error([&] { (void)by_pgd(noise); }, "c.toml:", "measure: pgd of waves that drift",
-                                "it grows with the duration", "Scale by pga or pgv");
+                                "its displacement grows with the duration", "Scale by pga or pgv");
     std::string const sinusoid = "[waves]\nsource='harmonic'\namplitude=1\nfrequency=0.63\nduration=160\n";
     testing::expect_input_error([&] { (void)by_pgd(sinusoid); }, "begins at once", "state a ramp of some cycles");
     EXPECT_EQ(by_pgd(sinusoid + "ramp=20\n").levels.levels.size(), 1U);

@@ -50,11 +50,11 @@ class BadDisk : public ::testing::Test {
     Folder folder;
 };
 
-std::vector<Trouble> const troubles{{"write", EIO, "Look after the disk, then go on with --resume"},
+std::vector<Trouble> const troubles{{"write", EIO, "Check the disk, then go on with --resume"},
                                     {"write", EDQUOT, "Free space or choose another place, then go on with --resume"},
-                                    {"fsync", EIO, "Look after the disk, then go on with --resume"},
+                                    {"fsync", EIO, "Check the disk, then go on with --resume"},
                                     {"fsync", EDQUOT, "Free space or choose another place, then go on with --resume"},
-                                    {"any", EIO, "Look after the disk, then go on with --resume"}};
+                                    {"any", EIO, "Check the disk, then go on with --resume"}};
 
 /// From the first call on, through a run's record, blocks, merging, digests and seal.
 TEST_F(BadDisk, AtWhateverInstantOfARun) {

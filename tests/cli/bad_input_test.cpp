@@ -158,7 +158,7 @@ TEST_F(BadInput, Output) {
     expect_refused(overturn(folder, {"run", "c.toml", "-o", "/proc/o.h5"}), "cannot write there");
     expect_refused(overturn(folder, {"run", "c.toml", "-o", "."}), "is a folder");
     folder.write("taken.h5", "precious");
-    expect_refused(overturn(folder, {"run", "c.toml", "-o", "taken.h5"}), "is there already");
+    expect_refused(overturn(folder, {"run", "c.toml", "-o", "taken.h5"}), "exists already");
     expect_refused(overturn(folder, {"run", "c.toml", "-o", "taken.h5", "--resume"}), "taken.h5");
     EXPECT_EQ(folder.read("taken.h5"), "precious");
     expect_refused(overturn(folder, {"status", "none.h5"}), "none.h5");
@@ -201,7 +201,7 @@ TEST_F(BadInput, UnderMpiOneRankSpeaks) {
     folder.write("good.toml", small_campaign("shared", 1));
     folder.write("taken.h5", "precious");
     expect_refused(execute(folder, mpirun(2, {"run", "c.toml"})), "c.toml:27:9: ");
-    expect_refused(execute(folder, mpirun(2, {"run", "good.toml", "-o", "taken.h5"})), "is there already");
+    expect_refused(execute(folder, mpirun(2, {"run", "good.toml", "-o", "taken.h5"})), "exists already");
     expect_refused(execute(folder, mpirun(2, {"run", "good.toml", "-o", "no/folder.h5"})), "no/folder.h5");
     expect_refused(execute(folder, mpirun(2, {"run", "good.toml", "--max-walltime", "x"})), "x");
     expect_refused(execute(folder, mpirun(2, {"rnu", "c.toml"})), "Did you mean 'run'?");

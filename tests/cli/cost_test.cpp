@@ -209,7 +209,7 @@ TEST_F(Cost, ImpossibleRequestsAreReportedFirst) {
     refused({"cost", "c.toml", "-o", "no/folder/cost.h5"}, "no/folder");
     refused({"cost", "c.toml", "--set", "accuracy.contact_stp=0.1"}, "contact_step");
     folder.write("cost.h5", "something");
-    refused({"cost", "c.toml", "-o", "cost.h5"}, "there already");
+    refused({"cost", "c.toml", "-o", "cost.h5"}, "exists already");
     EXPECT_EQ(folder.read("cost.h5"), "something");
 }
 

@@ -270,12 +270,12 @@ TEST_F(Edges, FilesFollowTheUmask) {
 // R-1202: Ranks that do not find each other would each run the whole campaign into one file.
 TEST_F(Edges, ARankThatIsAloneAmongOthersIsReported) {
     auto const ended = shell("PMI_SIZE=4 PMI_RANK=0 " OVERTURN_PROGRAM " run c.toml");
-    expect_refused(ended, "PMI_SIZE says 4 ranks");
+    expect_refused(ended, "PMI_SIZE states 4 ranks");
     EXPECT_NE(ended.err.find("Start it with the mpirun of Open MPI"), std::string::npos) << ended.err;
     EXPECT_EQ(shell("PMI_SIZE=4 PMI_RANK=3 " OVERTURN_PROGRAM " run c.toml").err, "");
     // Slurm's step of three, of which nothing tells MPI.
     auto const step = shell("SLURM_STEP_NUM_TASKS=3 SLURM_PROCID=0 " OVERTURN_PROGRAM " run c.toml");
-    expect_refused(step, "SLURM_STEP_NUM_TASKS says 3 ranks");
+    expect_refused(step, "SLURM_STEP_NUM_TASKS states 3 ranks");
     EXPECT_NE(step.err.find("Start it with mpirun"), std::string::npos) << step.err;
     EXPECT_EQ(shell("SLURM_STEP_NUM_TASKS=3 SLURM_PROCID=2 " OVERTURN_PROGRAM " run c.toml").err, "");
     EXPECT_FALSE(folder.has("c.h5.parts"));

@@ -101,7 +101,7 @@ TEST_F(Export, RefusesWhatItCannotDo) {
 
     ASSERT_EQ(overturn(folder, {"export", "c.h5", "--as", "csv"}).code, 0);
     folder.write("c.tables/curves.csv", "mine");
-    expect_refused({"c.h5"}, "c.tables/trials.csv: there already (it would be lost)");
+    expect_refused({"c.h5"}, "c.tables/trials.csv: exists already (it would be lost)");
     EXPECT_EQ(folder.read("c.tables/curves.csv"), "mine");
     EXPECT_FALSE(folder.has("c.tables/tables.xlsx"));
     std::filesystem::create_directories(folder / "other" / "tables.xlsx");

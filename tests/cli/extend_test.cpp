@@ -206,7 +206,7 @@ TEST_F(Extend, WhatMovesNoRowTakesAll) {
         write(text);
         auto const refused = overturn(folder, {"run", "c.toml", "--resume"});
         EXPECT_EQ(refused.code, 2);
-        EXPECT_NE(refused.err.find("Say --extend"), std::string::npos) << refused.err;
+        EXPECT_NE(refused.err.find("Use --extend"), std::string::npos) << refused.err;
         auto const ended = extend(1);
         ASSERT_EQ(ended.code, 0) << ended.err;
         EXPECT_NE(ended.err.find("extending c.h5: 6 of 6 blocks"), std::string::npos) << ended.err;

@@ -87,7 +87,7 @@ TEST_F(ListKeys, OfOneTable) {
 
     expect_refused({"list", "keys", "waves.traget"}, "Did you mean 'waves.target'?");
     expect_refused({"list", "keys", "--json", "--schema"}, "Keep one");
-    expect_refused({"list", "assumptions", "--schema"}, "of keys alone");
+    expect_refused({"list", "assumptions", "--schema"}, "used with keys or columns only");
 }
 
 TEST_F(ListKeys, AsJson) {

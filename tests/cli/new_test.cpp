@@ -152,29 +152,29 @@ TEST_F(New, RefusesWhatCannotBe) {
     expect_refused({"--mass", "117 stone"}, "--mass unit 'stone' (not a unit of mass). Use one of: ");
     expect_refused({"--mass", "117"}, "--mass '117' (a number without its unit). Write \"117 kg\"");
     expect_refused({"--mass", "-117 t"}, "--mass '-117 t' (not above 0)");
-    expect_refused({"--mass", ""}, "--mass '' (nothing stated");
+    expect_refused({"--mass", ""}, "--mass '' (empty");
     expect_refused({"--mass", "117 t\nseed = 2"}, "--mass (holds a control character)");
     expect_refused({"--mass", "nan t"}, "--mass 'nan t'");
-    expect_refused({"--friction", "0.5 m"}, "--friction '0.5 m' (no number from 0)");
-    expect_refused({"--count", "1.5"}, "--count '1.5' (no whole number)");
+    expect_refused({"--friction", "0.5 m"}, "--friction '0.5 m' (must be a number from 0)");
+    expect_refused({"--count", "1.5"}, "--count '1.5' (must be a whole number)");
     expect_refused({"--base-shape", "rond"}, "--base-shape 'rond' (unknown). Did you mean 'round'?");
     expect_refused({"--spectrum", "rg-1.61"},
-                   "--spectrum 'rg-1.61' (neither published, nor a file). Did you mean 'rg-1.60'?");
+                   "--spectrum 'rg-1.61' (neither a published spectrum nor a file). Did you mean 'rg-1.60'?");
     expect_refused({"--spectrum", "rg-1.60-vertical"}, "(of the vertical component)");
     expect_refused({"--records", "none.csv"}, "--records 'none.csv' (no such file)");
     expect_refused({"--hazard", "none.csv"}, "--hazard 'none.csv' (no such file)");
-    expect_refused({"--design-basis", "2 m"}, "--design-basis '2 m' (no number above 0, a blank, and a unit");
+    expect_refused({"--design-basis", "2 m"}, "--design-basis '2 m' (must be a number above 0, a blank and a unit");
     expect_refused({"--design-basis", "0.35g"},
                    "--design-basis '0.35g' (no blank between number and unit). Write \"0.35 g\"");
     expect_refused({"--mass", "117t"}, "--mass '117t' (no blank between number and unit). Write \"117 t\"");
-    expect_refused({"--height", "5 m"}, "--height '5 m' (it is compared with what stands near");
-    expect_refused({"--duration", "5 s"}, "--duration '5 s' (it describes generated waves");
+    expect_refused({"--height", "5 m"}, "--height '5 m' (used only with --gap, --wall or --edge");
+    expect_refused({"--duration", "5 s"}, "--duration '5 s' (used only with --spectrum");
     expect_refused({"--spectrum", "mlit-ch1", "--records", "record.csv"},
-                   "--records 'record.csv' (waves come from --spectrum or from --records, and");
+                   "--records 'record.csv' (--spectrum is given: waves come from one of the two");
     expect_refused({"--spectrum", "rg-1.60", "--design-basis", "30 kine"}, "rg-1.60 is scaled by a peak acceleration");
     // What only plan knows.
     expect_refused(joined(cask, {"--records", "record.csv", "--design-basis", "600 gal"}),
-                   "plan would refuse it: refused.toml:");
+                   "overturn plan refuses the campaign: refused.toml:");
     expect_refused(joined(joined(cask, waves), {"--gap", "1 m", "--height", "1 m"}),
                    "--height '1 m' (not above the centre of gravity, 8.5 ft)");
     expect_refused(joined(cask, {"--spectrum", "mlit-ch1", "--design-basis", "30 kine", "--hazard", "hazard.csv"}),
@@ -183,10 +183,10 @@ TEST_F(New, RefusesWhatCannotBe) {
 
 // Without a terminal nothing is asked.
 TEST_F(New, SaysAllThatIsMissing) {
-    expect_refused({},
-                   "new: --mass, --centre-height, --base-width, --spectrum or --records, --design-basis (not stated");
+    expect_refused(
+        {}, "new: --mass, --centre-height, --base-width, --spectrum or --records, --design-basis missing (required");
     expect_refused(joined(cask, {"--spectrum", "target.csv", "--design-basis", "600 gal"}),
-                   "new: --spectrum-kind (not stated");
+                   "new: --spectrum-kind missing (required");
 }
 
 TEST_F(New, LosesNoFile) {
@@ -194,7 +194,7 @@ TEST_F(New, LosesNoFile) {
     folder.write("mine.toml", "mine");
     auto const ended = overturn(folder, joined({"new", "mine.toml"}, study));
     EXPECT_EQ(ended.code, 2);
-    EXPECT_NE(ended.err.find("mine.toml: there already (it would be lost)"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("mine.toml: exists already (it would be lost)"), std::string::npos) << ended.err;
     EXPECT_EQ(folder.read("mine.toml"), "mine");
     std::filesystem::create_directory(folder / "d.toml");
     for (auto const* name : {"study", "nowhere/s.toml", "a\nb.toml", "d.toml", ""}) {

@@ -136,7 +136,7 @@ TEST_F(Parts, DamagedBlockIsComputedAgain) {
     auto const refused = merge();
     EXPECT_EQ(refused.code, 3);
     EXPECT_NE(refused.err.find("0000000004.block: damaged"), std::string::npos) << refused.err;
-    EXPECT_NE(refused.err.find("notes.block: not a block of ours"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("notes.block: not a block of this run"), std::string::npos) << refused.err;
     EXPECT_NE(refused.err.find("waves 4 to 4 are missing"), std::string::npos) << refused.err;
 
     expect_part_done(part("1/2", {"--resume"}));

@@ -207,7 +207,7 @@ TEST_F(RecordsOnTheLine, TargetsThatSayTooLittleOrTooMuch) {
     };
     auto const short_one = everywhere("kind='acceleration'\npoints=[[0.05,3],[0.3,5],[2,5]]");
     for (auto const& said : short_one) {
-        EXPECT_NE(said.find("compared with their target from 0.05 s to 2 s only, and b rocks at 0.53 s to 5.33 s"),
+        EXPECT_NE(said.find("compared with their target from 0.05 s to 2 s only, but b rocks at 0.53 s to 5.33 s"),
                   std::string::npos)
             << said;
     }

@@ -82,7 +82,9 @@ TEST_F(Together, IsCheckedByHand) {
         EXPECT_LE(check["rotation_ratio"].get<double>(), 1);
     }
     auto const text = overturn(folder, {"fit", "c.h5", "--section", "hand"}).out;
-    EXPECT_NE(text.find("by hand: energy balance under the 84 % spectrum of the first"), std::string::npos) << text;
+    EXPECT_NE(text.find("hand calculation: energy balance under the 84th-percentile spectrum of the first"),
+              std::string::npos)
+        << text;
     EXPECT_NE(text.find("  type-b: overturns above pga "), std::string::npos) << text;
 }
 

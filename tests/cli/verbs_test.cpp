@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
+#include "core/wrapped.hpp"
 #include "support/command.hpp"
 
 namespace overturn::testing {
@@ -176,7 +177,7 @@ TEST_F(Verbs, ListNamesEverythingThatCanBeAskedFor) {
     auto const measures = done({"list", "measures"}).out;
     EXPECT_EQ(measures.rfind("level measures (levels.measure)\n", 0), 0U) << measures;
     EXPECT_NE(measures.find("  pgv "), std::string::npos) << measures;
-    EXPECT_NE(measures.find("  standardised_cav ", measures.find("curve measures (measures.curves)")),
+    EXPECT_NE(measures.find("  standardised_cav ", measures.find("further curve measures (measures.curves)")),
               std::string::npos);
     EXPECT_EQ(measures.find("mlit-ch1"), std::string::npos) << "one list alone";
     EXPECT_NE(ended.out.find(measures), std::string::npos) << "and it is part of the whole";
@@ -202,6 +203,33 @@ TEST_F(Verbs, FitRecountsAndStatusKnowsTheEnd) {
 TEST_F(Verbs, VersionAndHelp) {
     EXPECT_TRUE(done({"--version"}).out.starts_with("overturn "));
     EXPECT_NE(done({"run", "--help"}).out.find("--max-walltime"), std::string::npos);
+}
+
+void expect_narrow(std::string const& text, std::string const& name) {
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), line_width) << name << ": " << line;
+    }
+}
+
+// The help of every verb and every list fits 100 columns; the verbs stand one to a line.
+TEST_F(Verbs, HelpAndListsFitATerminal) {
+    auto const help = done({"--help"}).out;
+    expect_narrow(help, "--help");
+    std::istringstream lines(help.substr(help.find("\nSubcommands:\n") + 14));
+    int verbs = 0;
+    for (std::string line; std::getline(lines, line);) {
+        if (auto const name = line.substr(0, line.find(' ', 2)); !name.empty()) {
+            expect_narrow(done({name.substr(2), "--help"}).out, name);
+            ++verbs;
+        }
+    }
+    EXPECT_EQ(verbs, 17);
+    done({"run", "c.toml"});
+    for (std::vector<std::string> const& list :
+         {std::vector<std::string>{"list"}, {"list", "keys"}, {"list", "assumptions"}, {"list", "columns", "c.h5"}}) {
+        expect_narrow(done(list).out, list.back());
+    }
 }
 
 }  // namespace

@@ -73,7 +73,8 @@ TEST(CriterionWords, FalseSafeOnesSpeakAgainst) {
 }
 
 TEST(CriterionWords, SafetyThatWasNotTriedIsOpen) {
-    EXPECT_TRUE(holds(words_on(judged(Safety::none_said_safe), 0.95).open, "V_WES called no trial safe"));
+    EXPECT_TRUE(
+        holds(words_on(judged(Safety::none_said_safe), 0.95).open, "not tested: V_WES predicted no trial safe"));
     EXPECT_TRUE(holds(words_on(judged(Safety::none_uplifted), 0.95).open,
                       "not tested: no uplift in any of the 42 trials that"));
 }
@@ -130,9 +131,9 @@ TEST(CriterionWords, AGridIsNoSample) {
     body.grid = GridMap{};
     EXPECT_TRUE(words_on(body, 0.95).open.empty()) << "no energies, no criterion";
     body.criterion.push_back({});
-    EXPECT_EQ(words_on(body, 0.95).open,
-              (Lines{"waves that are a grid of frequencies are no sample: shares and ranks of its trials are no "
-                     "chances"}));
+    EXPECT_EQ(
+        words_on(body, 0.95).open,
+        (Lines{"waves on a grid of frequencies are not a random sample: shares and ranks are not probabilities"}));
 }
 
 }  // namespace

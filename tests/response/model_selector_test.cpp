@@ -282,7 +282,7 @@ TEST(ModelSelector, LeavesOutWhatNoModelHoldsTogether) {
         [] {
             (void)with_crush<without_sliding>({EffectMode::forced, mask_of(Effect::sliding) | mask_of(crushing)});
         },
-        "no model holds them together");
+        "no model supports them together");
 }
 
 // A body on a bed of its own, and something else of it that the model of beds does not hold: said before anything runs.
@@ -311,7 +311,7 @@ TEST(ModelSelector, SaysWhatASceneCallsForAndNoModelHoldsTogether) {
         [&] {
             (void)ModelSelector({EffectMode::forced, together}, {}, entries);
         },
-        "no model holds them together");
+        "no model supports them together");
 }
 
 // An effect that is forced on a body that cannot have it is no effect.

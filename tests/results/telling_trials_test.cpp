@@ -32,9 +32,9 @@ CampaignSpec campaign(std::string const& levels = "values=[3,6,9]\n") {
                                   + "friction=0.3\n" + testing::levels(levels));
 }
 
-std::vector<Verdict> const verdicts{rest, fell, rocked, rest, slid,   rocked,   // wave 0: a changes back
+std::vector<Verdict> const verdicts{rest, fell, rocked, rest, slid,   rocked,   // wave 0: non-monotonic
                                     rest, fell, fell,   slid, lost,   failed,   // wave 1
-                                    fell, slid, rocked, rest, rocked, rocked};  // wave 2: a changes back further
+                                    fell, slid, rocked, rest, rocked, rocked};  // wave 2: non-monotonic, further
 std::vector<double> const rotations{0, 1.6, 0.4, 0, 0, 0.95, 0, 1.6, 1.6, 0, 2, unknown, 1.6, 0.1, 0.7, 0, 0.95, 0.3};
 std::vector<double> const slips{0, 9, 0.02, 0, 0.3, 0.1, 0, 9, 9, 0.05, unknown, unknown, 9, 0.5, 0.5, 0, 0.2, 0.3};
 
@@ -59,8 +59,8 @@ TEST(TrialsToInspect, AreTheOnesFoundByHand) {
     expect(0, TellingKind::first_overturned, 12, 2, 0, 0);  // the lowest level, though of a later wave
     expect(1, TellingKind::nearest_miss, 14, 2, 0, 2);      // not 1.6 of those that fell
     expect(2, TellingKind::largest_slip, 13, 2, 0, 1);      // of equal ones the first; not 9 m of those that fell
-    expect(3, TellingKind::changes_back, 14, 2, 0, 2);      // farther above its fall than wave 0's; one a wave
-    expect(4, TellingKind::changes_back, 2, 0, 0, 2);
+    expect(3, TellingKind::non_monotonic, 14, 2, 0, 2);     // farther above its fall than wave 0's; one a wave
+    expect(4, TellingKind::non_monotonic, 2, 0, 0, 2);
     expect(5, TellingKind::nearest_miss, 5, 0, 1, 2);  // not the undecided one's 2
     expect(6, TellingKind::largest_slip, 4, 0, 1, 1);
     EXPECT_TRUE(std::isnan(found[0].overturned_at));
@@ -85,11 +85,11 @@ TEST(TrialsToInspect, OfAPartAndOfIndependentWaves) {
     auto const early = telling_trials(shared, Plan(shared), first_wave);
     ASSERT_EQ(early.size(), 6U);
     EXPECT_EQ(early[0].trial, 1);
-    EXPECT_EQ(early[3].kind, TellingKind::changes_back);
+    EXPECT_EQ(early[3].kind, TellingKind::non_monotonic);
 
     auto const independent = campaign("values=[3,6,9]\nwaves='independent'\n");
     for (auto const& t : telling_trials(independent, Plan(independent), {verdicts, rotations, slips})) {
-        EXPECT_NE(t.kind, TellingKind::changes_back) << t.trial;
+        EXPECT_NE(t.kind, TellingKind::non_monotonic) << t.trial;
     }
 }
 

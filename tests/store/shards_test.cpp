@@ -129,14 +129,14 @@ TEST_F(Shards, BlockUnderAnotherNumberIsRefused) {
 TEST_F(Shards, BlockUnderAnotherSpellingIsNotCountedTwice) {
     std::filesystem::copy_file(file("0000000003.block"), file("3.block"));
 
-    EXPECT_EQ(sound("/3.block", "left alone"), (Blocks{0, 1, 2, 3}));
+    EXPECT_EQ(sound("/3.block", "left as it is"), (Blocks{0, 1, 2, 3}));
 }
 
 /// As a signed number would be written out by whoever names blocks: none of ours.
 TEST_F(Shards, NumbersBelowNoughtAreForeignNames) {
     std::filesystem::rename(file("0000000003.block"), file("-000000003.block"));
 
-    EXPECT_EQ(sound("-000000003.block", "not a block of ours"), (Blocks{0, 1, 2}));
+    EXPECT_EQ(sound("-000000003.block", "not a block of this run"), (Blocks{0, 1, 2}));
     shards.remove();
     EXPECT_TRUE(std::filesystem::exists(file("-000000003.block")));
 }
@@ -144,7 +144,7 @@ TEST_F(Shards, NumbersBelowNoughtAreForeignNames) {
 TEST_F(Shards, ForeignNamesAreLeftAlone) {
     spill(file("notes.block"), "shopping list");
 
-    EXPECT_EQ(sound("notes.block", "left alone"), (Blocks{0, 1, 2, 3}));
+    EXPECT_EQ(sound("notes.block", "left as it is"), (Blocks{0, 1, 2, 3}));
     EXPECT_EQ(slurp(file("notes.block")), "shopping list");
 }
 

@@ -58,7 +58,7 @@ inline constexpr config::Keys body_keys{
         .or_as(config::number_key("inertia", Dimension::inertia, config::Range::positive(), ""))
         .only(whole),
     distribution_key("restitution", Dimension::none, config::Range::between(0, 1),
-                     "angular velocity after over before an impact")
+                     "ratio of angular velocities after and before an impact")
         .or_as(config::word_key<restitution_words>("restitution", ""))
         .otherwise_said("housner"),
     distribution_key("friction", Dimension::none, config::Range::not_negative(), "coefficient; absent: no slip")

@@ -70,7 +70,7 @@ inline constexpr config::KeyTable scatter_table{.meaning = "how uncertain bodies
 inline constexpr config::Keys effect_keys{
     config::text_key("mode", "auto: effects that each trial requires; none: planar rocking only").otherwise("auto"),
     config::words_key<effects>("include", "effects that are simulated in every trial, in place of mode").optional()};
-inline constexpr config::KeyTable effects_table{.meaning = "what is simulated", .keys = effect_keys.all};
+inline constexpr config::KeyTable effects_table{.meaning = "effects that are simulated", .keys = effect_keys.all};
 
 // Read by response/accuracy.cpp, under these names; what it reads is held to this.
 inline constexpr std::array restoring_words{config::Word{"nonlinear", "the block as it is"},
@@ -116,7 +116,7 @@ inline constexpr config::Keys campaign_keys{
     config::tables_key<bodies_table>("bodies", "what is shaken"),
     config::table_key<scatter_table>("scatter", "how uncertain bodies are drawn").optional(),
     config::table_key<levels_table>("levels", "how strongly"),
-    config::table_key<effects_table>("effects", "what is simulated").optional(),
+    config::table_key<effects_table>("effects", "effects that are simulated").optional(),
     config::table_key<measures_table>("measures", "what is measured of the waves").optional(),
     config::table_key<statistics_table>("statistics", "intervals, and when to stop").optional(),
     config::table_key<site_table>("site", "what is round the bodies").optional(),

@@ -86,7 +86,7 @@ std::string read_name(Table const& table, std::span<LimitState const> before) {
     }
     if (auto const found = std::ranges::find(before, name, &LimitState::name); found != before.end()) {
         bool const of_the_site = found->quantity.is_signed && found->threshold == 0;  // others are below more than 0
-        table.fail("name", fmt::format("'{}' {} (names tell limit states apart). Rename it", name,
+        table.fail("name", fmt::format("'{}' {} (names of limit states must differ). Rename it", name,
                                        found->is_overturning() ? "is always there"
                                        : of_the_site           ? "comes with [site]"
                                                                : "twice"));
@@ -220,11 +220,10 @@ LimitState read_limit(Table const& table, std::span<LimitState const> before, bo
                          [&](char const* key) { return table.has(key); });
     if (stated.size() != 1) {
         auto const what = stated.empty() ? std::string("none") : fmt::format("{}", fmt::join(stated, " and "));
-        table.fail(
-            stated.empty() ? "name" : stated.back(),
-            fmt::format("{} of quantity, any and all in '{}' (one of them says when it is passed). Write quantity = "
-                        "\"peak_slip\", above = \"0.3 m\", or any = [...] of others",
-                        what, limit.name));
+        table.fail(stated.empty() ? "name" : stated.back(),
+                   fmt::format("{} of quantity, any and all in '{}' (exactly one defines the limit). Write quantity = "
+                               "\"peak_slip\", above = \"0.3 m\", or any = [...] of others",
+                               what, limit.name));
     }
     if (table.has("quantity")) {
         read_threshold(table, limit, falls_pass, effects);
@@ -281,14 +280,14 @@ std::string unreachable(LimitState const& limit, BodySpec const& body) {
     auto const& quantity = limit.quantity;
     if (has(quantity.needs, Effect::sliding) && quantity.of_every_model && !body.friction) {
         return fmt::format(
-            "'{}' of body '{}', which has no friction (it is held not to slip, so that the limit cannot "
-            "be passed). State its friction",
+            "'{}' of body '{}', which has no friction (it cannot slip, so it cannot exceed the limit). State its "
+            "friction",
             quantity.name, body.name);
     }
     if (quantity.name == "peak_crush" && !body.footing.pad.strength_pa) {
         return fmt::format(
-            "'{}' of body '{}', whose pad has no strength (it stays elastic, so that the limit cannot be "
-            "passed). State pad.strength",
+            "'{}' of body '{}', whose pad has no strength (it stays elastic, so it cannot exceed the limit). State "
+            "pad.strength",
             quantity.name, body.name);
     }
     return {};

@@ -77,7 +77,7 @@ MeasureSpec read_measures(config::Table const& table) {
     m.both_radius_units = table.boolean(measure_keys["both_radius_units"]);
     for (auto const* key : {"both_radius_units", "window"}) {
         if (!m.energy && table.has(key)) {
-            table.fail(key, "beside energy = false (it says how energies are measured). Leave it out");
+            table.fail(key, "beside energy = false (it defines how energies are measured). Leave it out");
         }
     }
     m.window = table.choice<WindowReading>(measure_keys["window"], window_readings);

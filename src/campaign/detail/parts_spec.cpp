@@ -25,7 +25,7 @@ constexpr config::Keys part_keys{
         .otherwise(0)
         .only("kind = cylinder or box"),
     config::boolean_key(
-        "fastened", "it is held on the part that it stands on; else a warning tells where it would tip or slide first")
+        "fastened", "true: fastened to the part below; false: plan warns if it tips or slides before the whole body")
         .otherwise(false)
         .only("kind = cylinder or box"),
     config::number_key("friction", Dimension::none, Range::not_negative(),

@@ -58,8 +58,7 @@ void validate_placement(Table const& table, BodySpec const& spec) {
     if (footing.stated || footing.inertia_across_kgm2 || footing.inertia_vertical_kgm2) {
         auto const* const said = footing.stated ? "base or pad" : "inertia_y or inertia_z";
         table.fail(table.has(key) ? key : "",
-                   fmt::format("{} beside {} (compliant points and motion in space know nothing of it). Leave one of "
-                               "them out",
+                   fmt::format("{} beside {} (not supported on compliant points or in space). Leave one of them out",
                                key, said));
     }
     double const runs = std::tan(std::abs(spec.stated.slope_rad));

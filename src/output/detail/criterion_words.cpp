@@ -43,7 +43,7 @@ void say_safety(CriterionWords& words, Safety safety, CriterionStudy const& stud
     auto const& waves = study.waves_safe_uplifted_but_overturned;
     switch (safety) {
         case Safety::none_said_safe:
-            words.open.emplace_back("V_WES called no trial safe: whether safe means safe was not tried");
+            words.open.emplace_back("not tested: V_WES predicted no trial safe");
             break;
         case Safety::none_uplifted:
             words.open.push_back(
@@ -154,7 +154,7 @@ CriterionWords words_on(BodyAnalysis const& body, double confidence) {
     CriterionWords words;
     if (body.grid && !body.criterion.empty()) {
         words.open.emplace_back(
-            "waves that are a grid of frequencies are no sample: shares and ranks of its trials are no chances");
+            "waves on a grid of frequencies are not a random sample: shares and ranks are not probabilities");
     }
     if (!body.verdict) {
         return words;

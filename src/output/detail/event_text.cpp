@@ -48,9 +48,9 @@ std::string rare_text(CampaignSpec const& spec, std::span<RareBody const> bodies
 
 std::string hand_check_text(CampaignSpec const& spec, std::span<HandCheck const> checks) {
     auto const lines = hand_check_lines(spec, checks);
-    return lines.empty()
-               ? std::string()
-               : fmt::format("\nby hand: {}\n  {}\n", lines.front(), fmt::join(std::span(lines).subspan(1), "\n  "));
+    return lines.empty() ? std::string()
+                         : fmt::format("\nhand calculation: {}\n  {}\n", lines.front(),
+                                       fmt::join(std::span(lines).subspan(1), "\n  "));
 }
 
 std::string telling_text(CampaignSpec const& spec, std::span<TellingTrial const> trials, std::string const& file) {

@@ -89,7 +89,7 @@ void rename_values(std::vector<std::int64_t>& values, std::span<Category const> 
         auto found = renamed.find(value);
         if (found == renamed.end()) {
             auto const name = std::ranges::find(stored, value, &Category::value);
-            validate(name != stored.end(), "results file: {} holds {}, which names nothing {}", column, value, advice);
+            validate(name != stored.end(), "results file: {} holds {}, which has no name {}", column, value, advice);
             auto const ours = std::ranges::find(wanted, name->name, &Category::name);
             validate(ours != wanted.end() || !essential,
                      "results file: {} holds '{}', which this program does not know. Use the program that wrote it",
