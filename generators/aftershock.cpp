@@ -11,11 +11,12 @@ namespace {
 constexpr double longest_s = 3600;
 constexpr double strongest = 10;
 constexpr config::Keys second_shock_keys{
-    config::number_key("pause", Dimension::time, {.low = 0, .high = longest_s}, "quiet before the second shock"),
+    config::number_key("pause", Dimension::time, {.low = 0, .high = longest_s},
+                       "time without motion before the second shock"),
     config::number_key("scale", Dimension::none, {.low = 0, .high = strongest, .low_open = true},
                        "factor on the second shock")
         .otherwise(1)};
-constexpr config::KeyTable second_shock_table{.meaning = "a second, independent wave that follows each",
+constexpr config::KeyTable second_shock_table{.meaning = "second, independent shock after every wave",
                                               .keys = second_shock_keys.all};
 constexpr config::Keys aftershock_keys{
     config::table_key<second_shock_table>("aftershock", "a second shock after every wave").optional()};

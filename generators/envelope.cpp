@@ -19,28 +19,29 @@ double on_lines(std::span<std::pair<double, double> const> points, double time_s
 }
 
 constexpr config::Keys envelope_keys{
-    config::word_key<envelope_shapes>("shape", "how the amplitude grows and decays").otherwise("jennings"),
+    config::word_key<envelope_shapes>("shape", "envelope of the amplitude over time").otherwise("jennings"),
     config::number_key("rise", Dimension::time, config::Range::positive(), "end of the parabolic rise")
-        .otherwise_said("a tenth of the duration")
+        .otherwise_said("1/10 of the duration")
         .only("shape = jennings"),
     config::number_key("level_end", Dimension::time, config::Range::positive(), "end of the level part")
-        .otherwise_said("half the duration")
+        .otherwise_said("1/2 of the duration")
         .only("shape = jennings"),
-    config::number_key("end", Dimension::time, config::Range::positive(), "when a tenth of the amplitude is left")
-        .otherwise_said("nine tenths of the duration")
+    config::number_key("end", Dimension::time, config::Range::positive(),
+                       "time at which the amplitude has decayed to 1/10")
+        .otherwise_said("9/10 of the duration")
         .only("shape = jennings"),
     config::number_key("peak", Dimension::time, config::Range::positive(), "time of the largest amplitude")
-        .otherwise_said("a fifth of the duration")
+        .otherwise_said("1/5 of the duration")
         .only("shape = saragoni-hart"),
     config::number_key("gamma", Dimension::none, {.low = 0, .high = 100, .low_open = true},
-                       "exponent of the rise of the amplitude's square")
+                       "exponent of the rise of the squared amplitude")
         .otherwise(3)
         .only("shape = saragoni-hart"),
-    config::number_key("magnitude", Dimension::none, {.low = 4, .high = 9.5}, "magnitude that decides the durations")
+    config::number_key("magnitude", Dimension::none, {.low = 4, .high = 9.5}, "magnitude that determines the durations")
         .only("shape = noda-2002"),
     config::number_key("distance", Dimension::length, {.low = 1e3, .high = 1e6}, "equivalent hypocentral distance")
         .only("shape = noda-2002"),
-    config::pairs_key("points", Dimension::time, Dimension::none, "[time, amplitude], scaled to a largest one of 1")
+    config::pairs_key("points", Dimension::time, Dimension::none, "pairs [time, amplitude], scaled to a maximum of 1")
         .only("shape = points")};
 
 std::vector<std::pair<double, double>> read_points(config::Table const& table) {
@@ -127,7 +128,7 @@ std::vector<double> Envelope::samples(double time_step_s, std::size_t count) con
     return values;
 }
 
-constinit config::KeyTable const envelope_table{.meaning = "how the amplitude of noise grows and decays",
+constinit config::KeyTable const envelope_table{.meaning = "envelope of the amplitude of noise over time",
                                                 .keys = envelope_keys.all};
 
 Envelope read_envelope(config::Table const& table, double duration_s) {

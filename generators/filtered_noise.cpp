@@ -242,7 +242,7 @@ double GroundFilter::integral_radps() const {
     return pi / 2 * (u * u * (a0 * a3 - a1 * a2) - a1 * b2 * b2) / (a0 * a3 * a3 + a1 * a1 - a1 * a2 * a3);
 }
 
-constinit config::KeyTable const filtered_noise_table{.meaning = "noise through a filter that stands for the ground",
+constinit config::KeyTable const filtered_noise_table{.meaning = "noise filtered by a model of the ground",
                                                       .keys = noise_keys.all,
                                                       .also = {&every_wave_table, &aftershock_table},
                                                       .chosen_by = "source",

@@ -106,18 +106,19 @@ class Harmonic : public WaveSource {
 namespace {
 
 constexpr config::Keys grid_keys{
-    config::number_key("period", Dimension::time, config::Range::positive(), "period of the only wave").optional(),
+    config::number_key("period", Dimension::time, config::Range::positive(), "period of the wave").optional(),
     config::numbers_key("periods", Dimension::time, config::Range::positive(), "period of each wave").optional()};
 
 constexpr config::Keys harmonic_component_keys{
-    ratio_key, config::number_key("phase", Dimension::angle, config::Range::any(), "ahead of the horizontal component")
-                   .otherwise(0)};
+    ratio_key,
+    config::number_key("phase", Dimension::angle, config::Range::any(), "phase lead over the horizontal component")
+        .otherwise(0)};
 constexpr config::KeyTable harmonic_component_table{.meaning = "a further component of sinusoids",
                                                     .keys = harmonic_component_keys.all};
 
 constexpr config::Key either_number_or_list(std::string_view name) {
     constexpr auto positive = config::Range::positive();
-    return config::number_key(name, Dimension::frequency, positive, "frequency of the only wave, or of each")
+    return config::number_key(name, Dimension::frequency, positive, "frequency of the wave, or of each wave")
         .or_as(config::numbers_key(name, Dimension::frequency, positive, ""))
         .optional();
 }
@@ -126,11 +127,11 @@ constexpr config::Keys harmonic_keys{
     config::number_key("amplitude", Dimension::acceleration, config::Range::positive(), "amplitude of the sinusoid"),
     either_number_or_list("frequency"),
     either_number_or_list("frequencies"),
-    config::number_key("cycles", Dimension::none, config::Range::positive(), "length in periods; or state duration")
+    config::number_key("cycles", Dimension::none, config::Range::positive(), "duration in periods; or state duration")
         .optional(),
-    config::number_key("duration", Dimension::time, config::Range::positive(), "length; or state cycles").optional(),
+    config::number_key("duration", Dimension::time, config::Range::positive(), "duration; or state cycles").optional(),
     config::number_key("ramp", Dimension::time, config::Range::not_negative(),
-                       "time over which it grows at the beginning and fades at the end")
+                       "time of linear growth at the start and of decay at the end")
         .otherwise(0),
     config::number_key("time_step", Dimension::time, {.low = 1e-5, .high = 1}, "time step").otherwise(0.01),
     transverse_key<harmonic_component_table>,

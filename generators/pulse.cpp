@@ -92,22 +92,22 @@ class Pulse : public WaveSource {
 
 constexpr config::Range quiet{.low = 0, .high = 1000};
 constexpr config::Keys pulse_component_keys{
-    ratio_key, config::number_key("lag", Dimension::time, quiet, "behind the horizontal component").otherwise(0)};
+    ratio_key, config::number_key("lag", Dimension::time, quiet, "delay after the horizontal component").otherwise(0)};
 constexpr config::KeyTable pulse_component_table{.meaning = "a further component of pulses",
                                                  .keys = pulse_component_keys.all};
 constexpr config::Keys pulse_keys{
     config::word_key<pulse_shapes>("shape", "form of the pulse"),
     config::number_key("gamma", Dimension::none, {.low = 1, .high = 100, .low_open = true},
-                       "how many periods the pulse lasts")
+                       "duration of the pulse in periods")
         .only("shape = mavroeidis-papageorgiou"),
-    config::number_key("phase", Dimension::angle, config::Range::any(), "nu, of the pulse's cosine in its middle")
+    config::number_key("phase", Dimension::angle, config::Range::any(), "phase nu of the cosine")
         .only("shape = mavroeidis-papageorgiou"),
     config::number_key("amplitude", Dimension::acceleration, config::Range::positive(), "peak of the pulse"),
     config::number_key("time_step", Dimension::time, {.low = 1e-6, .high = 1},
-                       "largest time step: samples hit ends and peaks")
+                       "largest time step; ends and peaks fall on samples")
         .otherwise(0.005),
-    config::number_key("quiet_before", Dimension::time, quiet, "rest before the pulse").otherwise(0),
-    config::number_key("quiet_after", Dimension::time, quiet, "rest behind it").otherwise(0),
+    config::number_key("quiet_before", Dimension::time, quiet, "time without motion before the pulse").otherwise(0),
+    config::number_key("quiet_after", Dimension::time, quiet, "time without motion after the pulse").otherwise(0),
     transverse_key<pulse_component_table>,
     vertical_key<pulse_component_table>};
 

@@ -29,10 +29,10 @@ constexpr std::array<config::Entry<FilterPhase>, 2> filter_phases{
     {{"zero", "forwards and backwards", FilterPhase::zero}, {"causal", "forwards only", FilterPhase::causal}}};
 
 constexpr config::Keys high_pass_keys{
-    config::number_key("high_pass", Dimension::frequency, config::Range::positive(), "corner of the filter"),
-    config::integer_key("order", lowest_order, highest_order, "of the Butterworth filter")
+    config::number_key("high_pass", Dimension::frequency, config::Range::positive(), "corner frequency of the filter"),
+    config::integer_key("order", lowest_order, highest_order, "order of the Butterworth filter")
         .otherwise(RecordBaseline{}.order),
-    config::word_key<filter_phases>("phase", "in which direction it runs").otherwise("zero")};
+    config::word_key<filter_phases>("phase", "phase of the filter: zero or causal").otherwise("zero")};
 
 void take_mean_off(std::vector<double>& a) {
     double const mean = std::accumulate(a.begin(), a.end(), 0.0) / static_cast<double>(a.size());
@@ -169,7 +169,7 @@ RecordBaseline parse_baseline(std::string_view text) {
     throw InputError(fmt::format("baseline '{}' (unknown). {}", plain, config::suggestion(plain, known)));
 }
 
-constinit config::KeyTable const high_pass_table{.meaning = "a Butterworth filter that takes long periods off records",
+constinit config::KeyTable const high_pass_table{.meaning = "Butterworth filter that removes long periods from records",
                                                  .keys = high_pass_keys.all};
 
 RecordBaseline read_baseline(config::Table const& table) {

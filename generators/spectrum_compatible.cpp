@@ -28,16 +28,16 @@ constexpr std::array refused_seeds{
 
 constexpr config::Keys matched_target_keys{
     config::number_key("longest", Dimension::time, {.low = 0.2, .high = 20},
-                       "longest period that is matched; waves hold next to nothing beyond 1.5 times it (of seeds 3 "
-                       "times, if the duration allows)")
-        .otherwise_said("the least of 10 s, the target's last period and the duration")};
+                       "longest period that is matched; waves have almost no energy beyond 1.5 times this period (with "
+                       "seeds 3 times, if the duration allows)")
+        .otherwise_said("smallest of 10 s, the target's last period and the duration")};
 constexpr config::KeyTable matched_target_table{
     .meaning = "the response spectrum that waves follow", .keys = matched_target_keys.all, .also = {&target_table}};
 constexpr config::Keys matched_component_keys{
-    config::number_key("ratio", ratio_key.dimension, ratio_key.range, "target over the horizontal one")
+    config::number_key("ratio", ratio_key.dimension, ratio_key.range, "ratio of this target to the horizontal target")
         .only("there is no target of its own"),
-    config::table_key<target_table>("target", "a target of its own").optional(), correlation_key};
-constexpr config::KeyTable matched_component_table{.meaning = "a further component that follows a target",
+    config::table_key<target_table>("target", "separate target of this component").optional(), correlation_key};
+constexpr config::KeyTable matched_component_table{.meaning = "further component that follows a target",
                                                    .keys = matched_component_keys.all};
 constexpr config::Keys compatible_keys{
     config::table_key<matched_target_table>("target", "the response spectrum that waves follow"),
@@ -45,19 +45,18 @@ constexpr config::Keys compatible_keys{
         .otherwise_said("that of the longest seed; required without a seed"),
     config::number_key("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, "time step, without a seed")
         .otherwise(0.01),
-    config::word_key<matches>("match", "how waves are brought to the target").otherwise("each"),
+    config::word_key<matches>("match", "method of matching waves to the target").otherwise("each"),
     config::number_key("match_tolerance", Dimension::none, {.low = 0.001, .high = 1},
                        "mean misfit to the target at which matching stops")
         .otherwise(0.05)
         .only("match = each"),
-    config::integer_key("match_iterations", 1, 1000, "iterations of matching at most")
+    config::integer_key("match_iterations", 1, 1000, "largest number of iterations of matching")
         .otherwise(40)
         .only("match = each"),
     config::word_key<acceptance_rules>(
         "acceptance", "rule that every wave must meet; srp-3.7.1: the spectrum clauses of its option 1, approach 2")
         .otherwise("none"),
-    config::integer_key("most_drawn", 1, 1000,
-                        "waves that are drawn at most for each of count, until count of them meet acceptance")
+    config::integer_key("most_drawn", 1, 1000, "largest number of drawn waves per accepted wave")
         .otherwise(10)
         .only("there is acceptance and no seed"),
     config::word_key<refused_seeds>("refused", "use of seeds whose matched wave misses acceptance")
@@ -66,11 +65,11 @@ constexpr config::Keys compatible_keys{
     config::word_key<line_amplitudes>("amplitudes", "Fourier amplitudes: fixed or Gaussian")
         .otherwise_said("fixed; of match = ensemble gaussian")
         .only("there is no seed"),
-    config::table_key<envelope_table>("envelope", "how the amplitude grows and decays")
+    config::table_key<envelope_table>("envelope", "envelope of the amplitude over time")
         .optional()
         .only("there is no seed"),
-    config::table_key<record_files_table>("seed", "measured motions whose phases the match keeps").optional(),
-    config::table_key<variability_table>("variability", "targets that differ from wave to wave").optional(),
+    config::table_key<record_files_table>("seed", "recorded motions whose phases are kept in matching").optional(),
+    config::table_key<variability_table>("variability", "variability of the target from wave to wave").optional(),
     transverse_key<matched_component_table>,
     vertical_key<matched_component_table>};
 

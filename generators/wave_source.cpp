@@ -54,7 +54,7 @@ std::span<config::Entry<WaveSourceKind> const> wave_sources() {
             "harmonic", "sinusoids, one wave for each frequency of a sweep", {&make_harmonic, &harmonic_table}},
         config::Entry<WaveSourceKind>{
             "pulse", "single pulses of a stated shape and period", {&make_pulse, &pulse_table}},
-        config::Entry<WaveSourceKind>{"records", "measured waves from files", {&make_records, &records_table}},
+        config::Entry<WaveSourceKind>{"records", "recorded motions from files", {&make_records, &records_table}},
     };
     return entries;
 }

@@ -20,7 +20,7 @@ inline constexpr std::array axes_names{
     config::Entry<Axes>{"as-recorded", "as the instrument stood", Axes::recorded},
     config::Entry<Axes>{"principal", "the stronger principal axis in the rocking plane", Axes::principal}};
 inline constexpr config::Key axes_key =
-    config::word_key<axes_names>("axes", "the horizontal axes, as words or turned by an angle")
+    config::word_key<axes_names>("axes", "horizontal axes: a name, or an angle of rotation")
         .or_as(config::number_key("axes", Dimension::angle, config::Range::between(-2 * pi, 2 * pi), ""))
         .optional();
 

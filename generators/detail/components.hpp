@@ -27,7 +27,7 @@ inline constexpr config::Key ratio_key =
                        "amplitude over that of the horizontal component");
 inline constexpr config::Key correlation_key =
     config::number_key("correlation", Dimension::none, config::Range::between(-1, 1),
-                       "coefficient of correlation with the horizontal component; absent: independent")
+                       "coefficient of correlation with the horizontal component; not stated: independent")
         .optional();
 
 /// Keys `transverse` and `vertical` of [waves], whose tables are `table`.

@@ -30,27 +30,28 @@ inline constexpr config::Keys noise_component_keys{ratio_key, correlation_key};
 inline constexpr config::KeyTable noise_component_table{.meaning = "a further component of filtered noise",
                                                         .keys = noise_component_keys.all};
 inline constexpr config::Keys noise_keys{
-    config::word_key<noise_models>("model", "filter that stands for the ground"),
+    config::word_key<noise_models>("model", "model of the ground"),
     config::number_key("rms", Dimension::acceleration, config::Range::positive(),
-                       "root mean square of the stationary noise, before the envelope"),
+                       "root mean square acceleration of the stationary noise, before the envelope"),
     wave_duration_key,
     config::number_key("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, "time step").otherwise(0.01),
     config::word_key<noise_amplitudes>("amplitudes", "Fourier amplitudes: fixed or Gaussian").otherwise("gaussian"),
-    config::number_key("ground_frequency", Dimension::frequency, config::Range::positive(), "of the ground layer")
+    config::number_key("ground_frequency", Dimension::frequency, config::Range::positive(),
+                       "frequency of the ground layer")
         .otherwise(2.5)
         .only("model = kanai-tajimi or clough-penzien"),
-    config::number_key("ground_damping", Dimension::none, filter_dampings, "of the ground layer, fraction of critical")
+    config::number_key("ground_damping", Dimension::none, filter_dampings, "damping ratio of the ground layer")
         .otherwise(GroundFilter{}.ground_damping)
         .only("model = kanai-tajimi or clough-penzien"),
     config::number_key("filter_frequency", Dimension::frequency, config::Range::positive(),
-                       "below which noise is held back")
+                       "corner frequency of the high-pass filter")
         .otherwise(0.25)
         .only("model = clough-penzien"),
-    config::number_key("filter_damping", Dimension::none, filter_dampings, "of that filter, fraction of critical")
+    config::number_key("filter_damping", Dimension::none, filter_dampings, "damping ratio of the high-pass filter")
         .otherwise(GroundFilter{}.filter_damping)
         .only("model = clough-penzien"),
     config::table_key<point_density_table>("density", "the power spectral density").only("model = points"),
-    config::table_key<envelope_table>("envelope", "how the amplitude grows and decays").optional(),
+    config::table_key<envelope_table>("envelope", "envelope of the amplitude over time").optional(),
     transverse_key<noise_component_table>,
     vertical_key<noise_component_table>};
 

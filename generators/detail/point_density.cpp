@@ -64,13 +64,13 @@ namespace {
 
 constexpr config::Keys point_density_keys{
     config::pairs_key("points", Dimension::frequency, Dimension::none,
-                      "[frequency, power density]; its unit does not count, rms scales it")
+                      "pairs [frequency, power density]; rms scales it, so it has no unit")
         .optional(),
-    config::text_key("file", "file of two columns in place of points").optional()};
+    config::text_key("file", "file with two columns, in place of points").optional()};
 
 }  // namespace
 
-constinit config::KeyTable const point_density_table{.meaning = "a one-sided power spectral density: points or file",
+constinit config::KeyTable const point_density_table{.meaning = "one-sided power spectral density: points or file",
                                                      .keys = point_density_keys.all};
 
 PointDensity read_point_density(config::Table const& table, InputFiles& files) {

@@ -20,22 +20,22 @@ inline constexpr config::Keys reading_keys{
         .otherwise("auto"),
     config::text_key(
         "unit",
-        R"(of the files' accelerations, where they do not state it: "gal", "g", "m/s2"; of counts "2.4e-6 m/s2")")
+        R"(unit of the accelerations, if the files do not state it: "gal", "g", "m/s2"; for counts "2.4e-6 m/s2")")
         .optional(),
     config::number_key("time_step", Dimension::time, config::Range::positive(),
-                       "where the files do not state it; else the step to which they are resampled")
+                       "time step, if the files do not state it; otherwise the step to which they are resampled")
         .optional(),
-    config::text_key("columns", R"(what the columns of tables are, where their names do not say it: "time,h1,h2,v")")
+    config::text_key("columns", R"(meaning of the columns, if their names do not state it: "time,h1,h2,v")").optional(),
+    config::text_key("component", R"(component in the rocking plane, if the file has several: "EW", "NS", ...)")
         .optional(),
-    config::text_key("component", R"(which one of a file that holds several: "EW", "NS", ...)").optional(),
-    config::word_key<component_choices>("components", "which further components are taken").otherwise("file"),
-    config::word_key<coarsenings>("resample", "to which time steps").otherwise("finer"),
+    config::word_key<component_choices>("components", "further components that are used").otherwise("file"),
+    config::word_key<coarsenings>("resample", "time steps to which records may be resampled").otherwise("finer"),
     baseline_key,
     axes_key,
     config::number_key("scale", Dimension::none, {.low = 0, .high = 1000, .low_open = true}, "factor on all components")
         .otherwise(1),
     config::number_key("time_scale", Dimension::none, {.low = 0, .high = 100, .low_open = true},
-                       "factor on the time step, for a model")
+                       "factor on the time step, for a scale model")
         .otherwise(1)};
 inline constexpr config::KeyTable reading_table{.meaning = "how records are read", .keys = reading_keys.all};
 inline constexpr config::Keys record_keys{
@@ -43,10 +43,10 @@ inline constexpr config::Keys record_keys{
     config::text_key("transverse", "file of the other horizontal component").optional(),
     config::text_key("vertical", "file of the vertical component").optional()};
 inline constexpr config::KeyTable record_table{
-    .meaning = "one record, from a file for each component", .keys = record_keys.all, .also = {&reading_table}};
+    .meaning = "one record, with one file for each component", .keys = record_keys.all, .also = {&reading_table}};
 inline constexpr config::Keys record_files_keys{
-    config::text_key("folder", "in which the files lie, beside the campaign").optional(),
-    config::texts_key("files", "names of files, each a record; or state records").optional(),
+    config::text_key("folder", "folder of the files, relative to the campaign").optional(),
+    config::texts_key("files", "names of files, one record each; or state records").optional(),
     config::tables_key<record_table>("records", "one table for each record; or state files").optional()};
 
 }  // namespace overturn

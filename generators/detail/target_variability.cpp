@@ -174,13 +174,15 @@ bool are_of_sigma(std::string_view first, std::string_view second) {
 
 constexpr double most_epsilon = 4;
 constexpr config::Keys condition_keys{
-    config::number_key("period", Dimension::time, {.low = shortest_s, .high = longest_s}, "where Sa is given"),
+    config::number_key("period", Dimension::time, {.low = shortest_s, .high = longest_s},
+                       "period at which Sa is given"),
     config::number_key("epsilon", Dimension::none, {.low = -most_epsilon, .high = most_epsilon},
-                       "given deviation there, in standard deviations of ln Sa")
+                       "given Sa at that period, as standard deviations of ln Sa above the median")
         .otherwise(0),
-    config::number_key("sa", Dimension::acceleration, config::Range::positive(), "given Sa there, in place of epsilon")
+    config::number_key("sa", Dimension::acceleration, config::Range::positive(),
+                       "given Sa at that period, in place of epsilon")
         .optional()};
-constexpr config::KeyTable condition_table{.meaning = "spectra under the condition that Sa is given at one period",
+constexpr config::KeyTable condition_table{.meaning = "conditional spectra: Sa is given at one period",
                                            .keys = condition_keys.all};
 
 // A number, a list of [period, number], or a file of two columns.
@@ -192,16 +194,18 @@ constexpr config::Key sigma_key(std::string_view name, std::string_view meaning)
 
 constexpr std::int64_t many = 1'000'000;
 constexpr config::Keys variability_keys{
-    sigma_key("sigma", "standard deviation of ln Sa: a number, [period, sigma] pairs, or a file of two columns")
+    sigma_key("sigma", "standard deviation of ln Sa: a number, pairs [period, sigma], or a file with two columns")
         .only("there is no between and within"),
-    sigma_key("between", "its part that targets of one event share").only("within is stated too, in place of sigma"),
-    sigma_key("within", "its part of each target's own").only("between is stated too, in place of sigma"),
-    config::text_key("correlation", "between periods: baker-jayaram-2008, none, full, or a file"),
+    sigma_key("between", "between-event standard deviation of ln Sa").only("within is stated too, in place of sigma"),
+    sigma_key("within", "within-event standard deviation of ln Sa").only("between is stated too, in place of sigma"),
+    config::text_key("correlation", "correlation between periods: baker-jayaram-2008, none, full, or a file"),
     config::integer_key("per_target", 1, many, "waves that share a target").otherwise(1),
     config::integer_key("targets_per_event", 1, many, "targets that share an event")
         .otherwise(1)
         .only("between and within are stated"),
-    config::table_key<condition_table>("conditional", "given Sa at one period").optional().only("sigma is stated")};
+    config::table_key<condition_table>("conditional", "condition: Sa given at one period")
+        .optional()
+        .only("sigma is stated")};
 
 TargetVariability::Sigma read_sigma(config::Table const& table, config::Key const& described, InputFiles& files) {
     using config::Kind;
@@ -270,7 +274,7 @@ TargetVariability::Input::Condition read_condition(config::Table const& table, T
 }  // namespace
 
 constinit config::KeyTable const variability_table{
-    .meaning = "targets that scatter about the stated one as recorded spectra do", .keys = variability_keys.all};
+    .meaning = "targets with the variability of recorded spectra about the given target", .keys = variability_keys.all};
 
 TargetVariability read_variability(config::Table const& table, TargetSpectrum const& median, InputFiles& files) {
     table.may_have(variability_table);

@@ -43,22 +43,23 @@ constexpr config::Key level_key(std::string_view name, std::string_view meaning)
 constexpr config::Keys level_range_keys{
     level_key("from", "lowest level"), level_key("to", "highest level"),
     config::integer_key("count", 1, most_levels, "number of levels"),
-    config::word_key<spacings>("spacing", "how they are spread").otherwise("linear")};
+    config::word_key<spacings>("spacing", "spacing of the levels").otherwise("linear")};
 constexpr config::KeyTable level_range_table{.meaning = "evenly spread levels", .keys = level_range_keys.all};
 
 constexpr config::Key level_list_key(std::string_view name, std::string_view meaning) {
     return config::numbers_key(name, Dimension::none, config::Range::positive(), meaning).in_unit_of("measure");
 }
 constexpr config::Keys level_keys{
-    config::word_key<measure_entries>("measure", "by what waves are scaled"),
-    config::number_key("period", Dimension::time, {.low = 0.02, .high = 20}, "at which Sa is taken")
-        .only("measure = sa"),
-    level_list_key("values", "levels, listed or spread; required unless others are named")
+    config::word_key<measure_entries>("measure", "intensity measure by which waves are scaled"),
+    config::number_key("period", Dimension::time, {.low = 0.02, .high = 20}, "period of Sa").only("measure = sa"),
+    level_list_key("values",
+                   "list of levels, or a table of evenly spread levels; required unless other levels are stated")
         .or_as(config::table_key<level_range_table>("values", ""))
         .optional(),
-    config::word_key<independence>("waves", "are waves the same at every level?").otherwise("shared"),
-    level_key("design_basis", "level of the design basis, added to the others").optional(),
-    level_list_key("beyond_design", "levels beyond it, added likewise").optional()};
+    config::word_key<independence>("waves", "same waves at every level, or separate waves for each level")
+        .otherwise("shared"),
+    level_key("design_basis", "level of the design basis, added to values").optional(),
+    level_list_key("beyond_design", "levels beyond the design basis, added to values").optional()};
 
 std::vector<double> read_values(config::Table const& table, Dimension dimension) {
     if (table.kind("values") != config::Kind::table) {

@@ -10,11 +10,11 @@ namespace {
 using Wish = std::optional<rare::Method>;
 
 constexpr std::array rare_methods{
-    config::Entry<Wish>{"auto", "suitable method for each level; another one if that fails its checks", std::nullopt},
+    config::Entry<Wish>{"auto", "suitable estimator for each level; another one if its checks fail", std::nullopt},
     config::Entry<Wish>{"pulse-mixture", "importance sampling with the pulses that failing waves have in common",
                         rare::Method::pulse_mixture},
     config::Entry<Wish>{"subset", "subset simulation, for any random waves", rare::Method::subset},
-    config::Entry<Wish>{"crude", "plain trials, counted", rare::Method::crude},
+    config::Entry<Wish>{"crude", "crude Monte Carlo", rare::Method::crude},
 };
 
 constexpr std::int64_t fewest_replicates = 4;  // fewer give no interval
@@ -22,15 +22,14 @@ constexpr std::int64_t most_replicates = 4095;
 constexpr std::int64_t fewest_counted = 1000;
 constexpr std::int64_t most_runs = 1'000'000'000;
 constexpr config::Keys rare_keys{
-    config::word_key<rare_methods>("method", "how rare events are sought").otherwise("auto"),
-    config::number_key("target_cov", Dimension::none, {.low = 0.01, .high = 1},
-                       "wanted standard error over probability")
+    config::word_key<rare_methods>("method", "estimator of rare events").otherwise("auto"),
+    config::number_key("target_cov", Dimension::none, {.low = 0.01, .high = 1}, "target coefficient of variation of P")
         .otherwise(RareSpec{}.target_cov),
     config::integer_key("replicates", fewest_replicates, most_replicates,
-                        "independent estimates; grown up to four times to meet target_cov")
+                        "number of independent estimates; up to four times as many to meet target_cov")
         .otherwise(RareSpec{}.replicates),
     config::integer_key("max_runs", fewest_counted, most_runs,
-                        "trials of an estimator at most; of others than crude at least 20000")
+                        "largest number of trials of an estimator; at least 20000 unless crude")
         .otherwise(RareSpec{}.max_runs)};
 
 void check_levels(config::Table const& root, LevelSpec const& levels) {
@@ -69,7 +68,7 @@ void check_waves(config::Table const& root, WaveSource const& source, Wish const
 
 }  // namespace
 
-constinit config::KeyTable const rare_keys_table{.meaning = "probabilities that are rare, estimated at every level",
+constinit config::KeyTable const rare_keys_table{.meaning = "small probabilities, estimated at every level",
                                                  .keys = rare_keys.all};
 
 std::optional<RareSpec> read_rare(config::Table const& root, LevelSpec const& levels, WaveSource const& source) {

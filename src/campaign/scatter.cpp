@@ -33,8 +33,8 @@ constexpr config::Keys distribution_keys{
     share_of("median", "median").only("distribution = lognormal"),
     config::number_key("beta", Dimension::none, {.low = 0, .high = 2}, "standard deviation of the logarithm")
         .only("distribution = lognormal"),
-    share_of("low", "least value; of a uniform one required").otherwise_said("what the key's range allows"),
-    share_of("high", "largest value; of a uniform one required").otherwise_said("what the key's range allows")};
+    share_of("low", "lower limit; required for a uniform distribution").otherwise_said("limit of the key's range"),
+    share_of("high", "upper limit; required for a uniform distribution").otherwise_said("limit of the key's range")};
 
 Distribution read_stated(Table const& given, DistributionKind kind, config::Given const& value) {
     switch (kind) {
@@ -69,7 +69,7 @@ void refuse_bare(Table const& given, config::Key const& key) {
 
 }  // namespace
 
-constinit config::KeyTable const distribution_table{.meaning = "a value that is not known exactly, drawn for each wave",
+constinit config::KeyTable const distribution_table{.meaning = "uncertain value, drawn for each wave",
                                                     .keys = distribution_keys.all};
 
 Distribution read_distribution(Table const& table, config::Key const& key) {

@@ -17,16 +17,17 @@ using config::Range;
 using config::Table;
 
 constexpr config::Keys side_keys{
-    config::number_key("plus_x", Dimension::length, Range::positive(), "along the first horizontal component")
+    config::number_key("plus_x", Dimension::length, Range::positive(),
+                       "in the direction of the first horizontal component")
         .optional(),
     config::number_key("minus_x", Dimension::length, Range::positive(), "against it").optional(),
-    config::number_key("plus_y", Dimension::length, Range::positive(), "along the other horizontal component")
+    config::number_key("plus_y", Dimension::length, Range::positive(),
+                       "in the direction of the second horizontal component")
         .optional(),
     config::number_key("minus_y", Dimension::length, Range::positive(), "against it").optional()};
-constexpr config::KeyTable sides_table{.meaning =
-                                           "distances from the edge of the base, by direction; one that is not "
-                                           "stated: nothing is there",
-                                       .keys = side_keys.all};
+constexpr config::KeyTable sides_table{
+    .meaning = "distances from the edge of the base, by direction; not stated: no obstacle there",
+    .keys = side_keys.all};
 
 constexpr config::Key sides_key(std::string_view name, std::string_view meaning) {
     return config::number_key(name, Dimension::length, Range::positive(), meaning)
@@ -35,16 +36,17 @@ constexpr config::Key sides_key(std::string_view name, std::string_view meaning)
 }
 
 constexpr config::Keys site_keys{
-    sides_key("cask", "to another cask, which moves too: from the edge of the base all round, or by direction"),
-    sides_key("wall", "distance to fixed objects, same form"),
-    sides_key("edge", "to the edge of the pad, likewise"),
+    sides_key("cask",
+              "distance from the edge of the base to another cask, which moves too; one value, or by direction"),
+    sides_key("wall", "distance to a wall or fixed object; one value, or by direction"),
+    sides_key("edge", "distance to the edge of the pad; one value, or by direction"),
     config::text_key("cask_body",
-                     "name of the body that the other cask is: it moves as its own trial of the same wave and level")
-        .otherwise_said("one like the body itself"),
-    config::number_key("height", Dimension::length, Range::positive(), "of the highest point of a body above its base")
-        .otherwise_said("that of its parts, or twice centre_height"),
-    config::number_key("width", Dimension::length, Range::positive(), "of a body where it is widest")
-        .otherwise_said("that of its parts, or of its base")};
+                     "name of the body used as the other cask; it moves as in its trial of the same wave and level")
+        .otherwise_said("the body itself"),
+    config::number_key("height", Dimension::length, Range::positive(), "height of the top of a body above its base")
+        .otherwise_said("from its parts, or twice centre_height"),
+    config::number_key("width", Dimension::length, Range::positive(), "largest width of a body")
+        .otherwise_said("from its parts, or base_width")};
 
 Sides read_sides(Table const& table, config::Key const& key) {
     Sides sides;
@@ -96,7 +98,7 @@ double half_width_of(BodyPart const& part) {
 
 }  // namespace
 
-constinit config::KeyTable const site_table{.meaning = "what is round the bodies: other casks, walls, the pad's edges",
+constinit config::KeyTable const site_table{.meaning = "surroundings: other casks, walls, edge of the pad",
                                             .keys = site_keys.all};
 
 bool Sides::any() const {

@@ -13,7 +13,8 @@ namespace overturn {
 /// Key `inputs` of a campaign: what its results file holds of the files that it names.
 [[nodiscard]] std::vector<config::Word> keeping_words();
 inline constexpr config::Key inputs_key =
-    config::word_key("inputs", &keeping_words, "what the results file keeps of input files").otherwise("stored");
+    config::word_key("inputs", &keeping_words, "input files in the results file: contents or hashes only")
+        .otherwise("stored");
 
 /// Reads it. \throws InputError if it is "hash-only" and the waves are no records
 [[nodiscard]] bool keeps_hashes_only(config::Table const& root);

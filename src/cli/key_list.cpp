@@ -89,12 +89,10 @@ std::string keys_text(std::span<PlacedTable const> tables) {
 std::string keys_markdown(std::span<PlacedTable const> tables) {
     std::string text =
         "# Keys of a campaign\n\n"
-        "Made by `overturn list keys --markdown` from the descriptions that the program reads with. A bare number is "
-        "SI;\n"
-        "a quantity may be a text with a unit, \"1.5 t\". Any value may say where it comes from, `{value = ..., basis "
-        "= "
-        "\"measured\",\nsource = \"...\", range = [low, high]}`, and a table by keys `basis` and `source` of its "
-        "own.\n";
+        "Written by `overturn list keys --markdown`. A number without unit is SI; a quantity may be a text with its "
+        "unit, \"1.5 "
+        "t\".\nAny value may state its source: `{value = ..., basis = \"measured\", source = \"...\", range = [low, "
+        "high]}`.\nA table may do so with its keys `basis` and `source`.\n";
     for (auto const& placed : tables) {
         text += fmt::format("\n## {}\n\n{}\n\n| key | takes | default | meaning |\n|---|---|---|---|\n",
                             placed.places.front().path.empty() ? "The file itself" : "`" + title_of(placed) + "`",

@@ -148,7 +148,7 @@ std::string default_text(Key const& key) {
 }
 
 std::string meaning_text(Key const& key) {
-    return key.where.empty() ? std::string(key.meaning) : fmt::format("where {}: {}", key.where, key.meaning);
+    return key.where.empty() ? std::string(key.meaning) : fmt::format("if {}: {}", key.where, key.meaning);
 }
 
 }  // namespace overturn::config

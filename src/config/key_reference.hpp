@@ -32,7 +32,7 @@ struct PlacedTable {
 /// Text of the values that a key takes: "time [s] above 0 or list of them", "one of each, ensemble, none".
 [[nodiscard]] std::string takes_text(Key const& key);
 
-/// Text of an absent key's meaning: "required", "optional", "0.01 s", "a tenth of the duration".
+/// Text of an absent key's meaning: "required", "optional", "0.01 s", "1/10 of the duration".
 [[nodiscard]] std::string default_text(Key const& key);
 
 /// The meaning, behind the condition under which the key has one: "where shape = points: ...".

@@ -126,15 +126,16 @@ void Table::finish() const {
         auto const described = node_->descriptions(key.str());
         auto const conditional = std::ranges::find_if(described, [](Key const* one) { return !one->where.empty(); });
         if (conditional != described.end()) {
-            throw InputError(node_->locate(&node),
-                             fmt::format("key '{}' (nothing reads it here: it has a meaning only where {}). Remove "
-                                         "it, or what outranks it",
-                                         node_->full(key.str()), (*conditional)->where));
+            throw InputError(
+                node_->locate(&node),
+                fmt::format("key '{}' (not used here: only if {}). Remove it, or the key that overrides it",
+                            node_->full(key.str()), (*conditional)->where));
         }
         if (node_->complete && node_->asked.contains(key.str())) {
-            throw InputError(node_->locate(&node), fmt::format("key '{}' (other keys here leave it no meaning). Remove "
-                                                               "it, or what outranks it",
-                                                               node_->full(key.str())));
+            throw InputError(
+                node_->locate(&node),
+                fmt::format("key '{}' (not used with the other keys here). Remove it, or the key that overrides it",
+                            node_->full(key.str())));
         }
         throw InputError(node_->unknown_key(key.str()));
     }

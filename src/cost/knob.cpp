@@ -183,7 +183,8 @@ void add_match_knobs(std::vector<Knob>& knobs, CampaignInput const& input) {
     fill(tolerance, {0.2, 0.1, 0.05, 0.03, 0.02}, own, false,
          [](double value) { return one_key("waves.match_tolerance", value); });
     knobs.push_back(std::move(tolerance));
-    Knob iterations{"match_iterations", "iterations of matching at most", misfit, "wave", Acts::waves, {}, {}};
+    Knob iterations{
+        "match_iterations", "largest number of iterations of matching", misfit, "wave", Acts::waves, {}, {}};
     auto const most = waves.integer(*spectrum_compatible_table.find("match_iterations"));
     fill(iterations, {1.0, 2.0, 4.0, 8.0, 16.0, 100.0}, static_cast<double>(most), true, [](double value) {
         return Setting{fmt::format("{:g}", value), {fmt::format("waves.match_iterations={:.0f}", value)}, value};

@@ -97,7 +97,7 @@ Table rounding_table(Comparison const& rounding) {
 Table knob_table(std::vector<KnobResult> const& knobs) {
     TableOf<KnobResult> table({.name = "knobs", .group = "knobs"}, knobs);
     table.add("knob", "1", "the knob", [](KnobResult const& k) { return k.knob.name; })
-        .add("title", "1", "what it is", [](KnobResult const& k) { return k.knob.title; })
+        .add("title", "1", "kind of the part", [](KnobResult const& k) { return k.knob.title; })
         .add("error", "1", "what the error of its settings means", [](KnobResult const& k) { return k.knob.error; })
         .add("timed", "1", "what their CPU time is for", [](KnobResult const& k) { return k.knob.timed; })
         .add("samples", "1", "number of these for every setting", mem_fn(&KnobResult::units))

@@ -14,27 +14,29 @@ constexpr config::Range fraction{.low = 0, .high = 1, .low_open = true, .high_op
 constexpr config::Keys target_keys{
     config::word_key<named_targets>("spectrum", "a published spectrum").only("there are no points and no file"),
     config::number_key("pga", Dimension::acceleration, config::Range::positive(),
-                       "peak acceleration that scales a spectrum of unit height")
+                       "peak acceleration that scales a normalised spectrum")
         .optional()
         .only("spectrum is stated"),
-    config::pairs_key("points", Dimension::time, Dimension::acceleration, "[period, ordinate], straight in log-log")
+    config::pairs_key("points", Dimension::time, Dimension::acceleration,
+                      "pairs [period, ordinate], interpolated linearly in log-log")
         .in_unit_of("kind")
         .only("there is no spectrum and no file"),
-    config::text_key("file", "file of two columns, period and ordinate").only("there is no spectrum and no points"),
-    config::text_key("part", "the name of one spectrum in a file that holds several: in JSON, or over a column")
+    config::text_key("file", "file with two columns, period and ordinate").only("there is no spectrum and no points"),
+    config::text_key("part", "name of one spectrum in a file with several (JSON name or column name)")
         .optional()
         .only("file is stated"),
-    config::word_key<target_kinds>("kind", "what the ordinates are").only("points or file are stated"),
-    config::text_key("unit", "of the ordinates, where the file does not state it; of points that are numbers alone")
+    config::word_key<target_kinds>("kind", "quantity of the ordinates").only("points or file are stated"),
+    config::text_key("unit", "unit of the ordinates, if file or points do not state it")
         .otherwise_said("that of the file; of points SI")
         .only("points or file are stated"),
-    config::number_key("damping", Dimension::none, fraction, "of the oscillators, fraction of critical")
-        .otherwise(0.05),
-    config::number_key("stated_damping", Dimension::none, fraction, "of the spectrum as it is stated")
-        .otherwise_said("that of damping"),
-    config::word_key<damping_rules>("damping_rule", "that carries it from stated_damping to damping").optional(),
+    config::number_key("damping", Dimension::none, fraction, "damping ratio of the oscillators").otherwise(0.05),
+    config::number_key("stated_damping", Dimension::none, fraction, "damping ratio of the given spectrum")
+        .otherwise_said("equal to damping"),
+    config::word_key<damping_rules>("damping_rule", "rule that converts the spectrum from stated_damping to damping")
+        .optional(),
     config::number_key("scale", Dimension::none, config::Range::positive(), "factor on all ordinates").otherwise(1),
-    config::number_key("time_scale", Dimension::none, config::Range::positive(), "factor on all periods, for a model")
+    config::number_key("time_scale", Dimension::none, config::Range::positive(),
+                       "factor on all periods, for a scale model")
         .otherwise(1)};
 
 // RG 1.60 prints its vertical spectra for the horizontal pga, so that both have the same.
@@ -94,7 +96,7 @@ TargetSpectrum read_tabulated(config::Table const& table, InputFiles& files, dou
 
 }  // namespace
 
-constinit config::KeyTable const target_table{.meaning = "a response spectrum: spectrum, points or file states it",
+constinit config::KeyTable const target_table{.meaning = "response spectrum: spectrum, points or file",
                                               .keys = target_keys.all};
 
 TargetSpectrum read_target(config::Table const& table, InputFiles& files, config::Table const* beside) {

@@ -205,9 +205,9 @@ TEST_F(Warnings, ErrorsNameWhatElseIsWrong) {
         replaced(small_campaign(), "kind='acceleration'\n", ""),
         {"waves.target.kind: missing", "State one of: acceleration, pseudo-velocity, displacement, energy-velocity"});
     refuse(good + "[[bodies]]\nname='c'\nbase_width=1\nmass=1\nparts=[{kind='box',mass=1000,width=1,height=1}]\n",
-           {"key 'bodies[1].mass'", "only where there is no file and no parts"});
+           {"key 'bodies[1].mass'", "only if there is no file and no parts"});
     refuse(good + "[[bodies]]\nname='c'\nbase_width=1\nparts=[{kind='box',mass=1000,width=1,height=1,diameter=1}]\n",
-           {"key 'bodies[1].parts[0].diameter'", "only where kind = cylinder"});
+           {"key 'bodies[1].parts[0].diameter'", "only if kind = cylinder"});
 }
 
 //

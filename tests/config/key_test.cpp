@@ -86,7 +86,7 @@ TEST(Key, ReferenceSaysWhereTablesStandAndWhatKeysTake) {
     EXPECT_EQ(default_text(inner_keys["step"]), "0.25 s");
     EXPECT_EQ(default_text(inner_keys["note"]), "optional");
     EXPECT_EQ(default_text(inner_keys["end"]), "half of it");
-    EXPECT_EQ(meaning_text(inner_keys["end"].only("shape = round")), "where shape = round: end");
+    EXPECT_EQ(meaning_text(inner_keys["end"].only("shape = round")), "if shape = round: end");
 }
 
 }  // namespace

@@ -40,32 +40,34 @@ inline constexpr auto curve_measures = [] {
 }();
 inline constexpr config::Range sa_periods{.low = 0.02, .high = 20};
 inline constexpr config::Keys measure_keys{
-    config::word_key<radius_units>("radius_unit", "in which R enters T0").otherwise("cm"),
+    config::word_key<radius_units>("radius_unit", "unit of R in T0").otherwise("cm"),
     config::boolean_key("energy", "measure V_WES and ouV_E of every wave and body").otherwise(true),
     config::boolean_key("wave_quality", "measure match, durations, residuals and correlation of every wave")
         .otherwise(true),
-    config::boolean_key("both_radius_units", "measure energies with the other unit too").otherwise(false),
-    config::word_key<window_readings>("window", "how energy is counted over a window").otherwise("restarted"),
+    config::boolean_key("both_radius_units", "also measure energies with the other unit").otherwise(false),
+    config::word_key<window_readings>("window", "energy in a window").otherwise("restarted"),
     config::numbers_key("sa_periods", Dimension::time, sa_periods, "up to 4 periods at which Sa is measured")
         .optional(),
-    config::numbers_key("sa_band", Dimension::time, sa_periods, "[first, last] period that Sa is averaged over")
+    config::numbers_key("sa_band", Dimension::time, sa_periods, "range of periods [first, last] for the average of Sa")
         .optional(),
-    config::words_key<curve_measures>("curves", "further measures that curves are drawn over").optional(),
+    config::words_key<curve_measures>("curves", "further intensity measures with fragility curves").optional(),
     config::number_key("slid_from", Dimension::length, config::Range::not_negative(),
-                       "slip from which on a trial that stands counts as slid")
+                       "smallest slip of a trial with verdict slid")
         .otherwise(MovementSpec{}.slip_m),
     config::number_key("rocked_from", Dimension::length, config::Range::not_negative(),
-                       "rise of the edge of the base from which on a trial that stands counts as rocked")
+                       "smallest rise of the edge of the base of a trial with verdict rocked")
         .otherwise(MovementSpec{}.uplift_m)};
-inline constexpr config::KeyTable measures_table{.meaning = "what is measured of every wave", .keys = measure_keys.all};
+inline constexpr config::KeyTable measures_table{.meaning = "intensity measures of every wave",
+                                                 .keys = measure_keys.all};
 
 inline constexpr std::array samplings{
-    config::Entry<Sampling>{"independent", "each wave draws for itself", Sampling::independent},
-    config::Entry<Sampling>{"latin-hypercube", "one draw from each of as many equal slices as there are waves",
+    config::Entry<Sampling>{"independent", "independent draws for each wave", Sampling::independent},
+    config::Entry<Sampling>{"latin-hypercube", "Latin hypercube: one draw from each of as many equal strata as waves",
                             Sampling::latin_hypercube}};
 inline constexpr config::Keys scatter_keys{
-    config::word_key<samplings>("sampling", "how draws are spread over the waves").otherwise("independent")};
-inline constexpr config::KeyTable scatter_table{.meaning = "how uncertain bodies are drawn", .keys = scatter_keys.all};
+    config::word_key<samplings>("sampling", "sampling of the draws over the waves").otherwise("independent")};
+inline constexpr config::KeyTable scatter_table{.meaning = "sampling of uncertain body properties",
+                                                .keys = scatter_keys.all};
 
 inline constexpr config::Keys effect_keys{
     config::text_key("mode", "auto: effects that each trial requires; none: planar rocking only").otherwise("auto"),
@@ -87,42 +89,41 @@ inline constexpr config::Keys accuracy_keys{
         .otherwise(RockingAccuracy{}.settle),
     config::word_key<restoring_words>("restoring", "restoring moment").otherwise("nonlinear"),
     config::number_key("contact_step", Dimension::none, {.low = 1e-4, .high = 1},
-                       "longest step on points times the pad's angular frequency")
+                       "largest step on points, times the pad's angular frequency")
         .otherwise(ContactAccuracy{}.step_ratio),
     config::number_key("panel_phase", Dimension::angle, {.low = 1, .high = 40},
-                       "longest stretch over which energy is summed at once")
+                       "largest phase per panel of the energy integral")
         .otherwise(MeasureSpec{}.panel_phase_rad)};
-inline constexpr config::KeyTable accuracy_table{.meaning = "how exactly trials are followed",
-                                                 .keys = accuracy_keys.all};
+inline constexpr config::KeyTable accuracy_table{.meaning = "numerical accuracy of trials", .keys = accuracy_keys.all};
 
 inline constexpr config::Keys statistics_keys{
     config::number_key("confidence", Dimension::none, {.low = 0, .high = 1, .low_open = true, .high_open = true},
-                       "of all intervals")
+                       "confidence level of all intervals")
         .otherwise(0.95)};
 inline constexpr config::KeyTable statistics_table{
-    .meaning = "intervals, and when to stop", .keys = statistics_keys.all, .also = {&precision_table}};
+    .meaning = "confidence intervals and stopping rules", .keys = statistics_keys.all, .also = {&precision_table}};
 
 inline constexpr config::Keys campaign_keys{
-    config::text_key("title", "of pages and figures").optional(),
-    config::text_key("question", "that the campaign answers, for the cover of its page").optional(),
-    config::text_key("prepared", "who prepared the calculation, for the cover of its page").optional(),
-    config::text_key("checked", "who checked it").optional(),
-    config::text_key("approved", "who approved it").optional(),
-    config::text_key("revision", "of the calculation, for the cover of its page").optional(),
+    config::text_key("title", "title of pages and figures").optional(),
+    config::text_key("question", "question that the campaign answers, for the cover of the page").optional(),
+    config::text_key("prepared", "name of the person who prepared the calculation, for the cover").optional(),
+    config::text_key("checked", "name of the person who checked it, for the cover").optional(),
+    config::text_key("approved", "name of the person who approved it, for the cover").optional(),
+    config::text_key("revision", "revision of the calculation, for the cover").optional(),
     config::text_key("hazard", "file (csv) of the seismic hazard curve, for annual frequencies").optional(),
-    config::integer_key("seed", 0, std::numeric_limits<std::int64_t>::max(), "of all random numbers"),
+    config::integer_key("seed", 0, std::numeric_limits<std::int64_t>::max(), "seed of all random numbers"),
     inputs_key,
-    config::table_key("waves", &wave_tables, "what shakes the bodies"),
-    config::tables_key<bodies_table>("bodies", "what is shaken"),
-    config::table_key<scatter_table>("scatter", "how uncertain bodies are drawn").optional(),
+    config::table_key("waves", &wave_tables, "ground motions"),
+    config::tables_key<bodies_table>("bodies", "the bodies"),
+    config::table_key<scatter_table>("scatter", "sampling of uncertain body properties").optional(),
     config::table_key<levels_table>("levels", "how strongly"),
     config::table_key<effects_table>("effects", "effects that are simulated").optional(),
-    config::table_key<measures_table>("measures", "what is measured of the waves").optional(),
-    config::table_key<statistics_table>("statistics", "intervals, and when to stop").optional(),
-    config::table_key<site_table>("site", "what is round the bodies").optional(),
-    config::tables_key<limit_table>("limits", "limit states beside overturning").optional(),
+    config::table_key<measures_table>("measures", "intensity measures of the waves").optional(),
+    config::table_key<statistics_table>("statistics", "confidence intervals and stopping rules").optional(),
+    config::table_key<site_table>("site", "surroundings: other casks, walls, edge of the pad").optional(),
+    config::tables_key<limit_table>("limits", "further limit states besides overturning").optional(),
     config::table_key<rare_keys_table>("rare", "rare events").optional(),
-    config::table_key<accuracy_table>("accuracy", "how exactly trials are followed").optional()};
+    config::table_key<accuracy_table>("accuracy", "numerical accuracy of trials").optional()};
 
 /// Text on the cover of a page. It decides no number: whoever changes it keeps every trial.
 inline constexpr std::array cover_keys{campaign_keys["title"],   campaign_keys["question"], campaign_keys["prepared"],

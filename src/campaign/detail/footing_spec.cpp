@@ -27,47 +27,49 @@ constexpr std::array beddings{config::Entry<bool>{"corners", "nothing but the co
 constexpr config::Keys base_keys{
     config::word_key<shapes>("shape", "outline of the base").otherwise("square"),
     config::word_key<beddings>(
-        "bedding", "what of a square or round base bears, or the corners' share of a square one's stiffness")
+        "bedding", "bearing area of a square or round base, or the corners' share of a square base's stiffness")
         .or_as(config::number_key("bedding", Dimension::none, {.low = 0, .high = 1, .low_open = true}, ""))
         .otherwise(1),
     config::number_key("inner_diameter", Dimension::length, Range::positive(),
-                       "of a ring, which bears evenly between it and base_width")
+                       "inner diameter of a ring that bears evenly out to base_width")
         .otherwise_said("none: a disc")
         .only("shape = round and bedding = flat"),
-    config::pairs_key("corners", Dimension::length, Dimension::length, "[x, y] of the corners of a convex polygon")
+    config::pairs_key("corners", Dimension::length, Dimension::length,
+                      "coordinates [x, y] of the corners of a convex polygon")
         .only("shape = polygon"),
-    config::integer_key(
-        "points", 2, BasePlan::most_points_around,
-        "2 to 41 points from corner to corner; of a round base 16 to 256 round its rim (64 at most in a plane), whose "
-        "directions then differ")
+    config::integer_key("points", 2, BasePlan::most_points_around,
+                        "number of points from corner to corner, 2 to 41; round base: 16 to 256 points on its rim (at "
+                        "most 64 in a plane), whose directions then differ")
         .otherwise_said("15; round base: continuous rim, or 64 points on a pad with a strength")
         .only("shape = square or round")};
 constexpr config::KeyTable base_table{.meaning = "the base that a body stands on", .keys = base_keys.all};
 constexpr config::Keys pad_keys{
     // Above it a bed is rigid (it settles by 2.5 nm), and its match to a restitution alone takes seconds.
     config::number_key("vertical_frequency", Dimension::frequency, {.low = 0, .high = 1e4, .low_open = true},
-                       "of the body on its whole base")
+                       "vertical frequency of the body on its whole base")
         .otherwise(Pad{}.vertical_frequency_hz),
     config::number_key("normal_restitution", Dimension::none, {.low = 0.05, .high = 1},
-                       "of one point in a flat drop, at any speed")
+                       "restitution of one point in a flat drop, at any speed")
         .otherwise(Pad{}.normal_restitution),
     config::number_key("strength", Dimension::pressure, Range::positive(),
-                       "above which the pad is crushed for good; absent: it stays elastic")
+                       "compressive strength; not stated: the pad stays elastic")
         .optional(),
     config::number_key("tangential_ratio", Dimension::none, {.low = 0.01, .high = 100},
-                       "tangential over normal stiffness")
+                       "ratio of tangential to normal stiffness")
         .otherwise(Pad{}.tangential_ratio),
-    config::number_key("tangential_damping", Dimension::none, Range::between(0, 100), "fraction of critical")
+    config::number_key("tangential_damping", Dimension::none, Range::between(0, 100),
+                       "damping ratio of tangential motion")
         .otherwise(Pad{}.tangential_damping),
-    config::boolean_key("match_restitution", "tune bed and points until the body rocks with its restitution")
+    config::boolean_key("match_restitution", "adjust bed and points until the body rocks with its restitution")
         .otherwise(Pad{}.match_restitution)};
 constexpr config::KeyTable pad_table{.meaning = "the pad under the base", .keys = pad_keys.all};
 constexpr config::Keys footing_keys{
-    config::table_key<base_table>("base", "the base it stands on; absent: two rigid corners").optional(),
-    config::table_key<pad_table>("pad", "the pad under it").optional(),
-    config::number_key("inertia_y", Dimension::inertia, Range::positive(), "about the axis across the rocking plane")
-        .otherwise_said("that of the rocking plane"),
-    config::number_key("inertia_z", Dimension::inertia, Range::positive(), "about the vertical axis")
+    config::table_key<base_table>("base", "base; not stated: two rigid corners").optional(),
+    config::table_key<pad_table>("pad", "pad under the base").optional(),
+    config::number_key("inertia_y", Dimension::inertia, Range::positive(),
+                       "moment of inertia about the horizontal axis in the rocking plane")
+        .otherwise_said("equal to inertia"),
+    config::number_key("inertia_z", Dimension::inertia, Range::positive(), "moment of inertia about the vertical axis")
         .otherwise_said("that of the base's uniform solid")};
 
 std::optional<double> read_bedding(Table const& given) {

@@ -28,32 +28,33 @@ std::vector<config::Word> quantity_words() {
 enum class Falls { pass, excluded };
 
 constexpr std::array fall_kinds{
-    config::Entry<Falls>{"passes", "a trial that overturned has passed the limit, whatever it did before", Falls::pass},
-    config::Entry<Falls>{"excluded", "its response up to the fall is compared", Falls::excluded}};
+    config::Entry<Falls>{"passes", "a trial that overturned exceeds the limit", Falls::pass},
+    config::Entry<Falls>{"excluded", "its response up to overturning is compared", Falls::excluded}};
 
 constexpr config::Range half_widths{.low = 0, .high = 0.5, .low_open = true};
-constexpr config::Keys precision_keys{config::number_key("target_half_width", Dimension::none, half_widths,
-                                                         "of the interval of every P; a run stops when it is reached")
-                                          .optional(),
-                                      config::number_key("target_median_half_width", Dimension::none, half_widths,
-                                                         "of the interval of the median, over the median; likewise")
-                                          .optional()};
+constexpr config::Keys precision_keys{
+    config::number_key("target_half_width", Dimension::none, half_widths,
+                       "half width of the interval of every P at which the run stops")
+        .optional(),
+    config::number_key("target_median_half_width", Dimension::none, half_widths,
+                       "half width of the interval of the median, over the median, at which the run stops")
+        .optional()};
 constexpr config::Keys limit_keys{
-    config::text_key("name", "of the limit state"),
-    config::word_key("quantity", &quantity_words, "the stored response that is compared")
+    config::text_key("name", "name of the limit state"),
+    config::word_key("quantity", &quantity_words, "stored response that is compared with the limit")
         .only("there is no any and no all"),
-    config::number_key("above", Dimension::none, config::Range::not_negative(), "passed where it is larger")
+    config::number_key("above", Dimension::none, config::Range::not_negative(), "limit: exceeded by larger values")
         .in_unit_of("quantity")
         .only("quantity is stated, and no below"),
-    config::number_key("below", Dimension::none, config::Range::positive(), "passed where it is smaller")
+    config::number_key("below", Dimension::none, config::Range::positive(), "limit: exceeded by smaller values")
         .in_unit_of("quantity")
         .only("quantity is stated, and no above"),
-    config::word_key<fall_kinds>("overturned", "what a trial that overturned counts as")
+    config::word_key<fall_kinds>("overturned", "how a trial that overturned is counted")
         .otherwise("passes")
         .only("quantity is stated"),
-    config::texts_key("any", "limit states before this one, any of which passes it")
+    config::texts_key("any", "earlier limit states: exceeded if any of them is exceeded")
         .only("there is no quantity and no all"),
-    config::texts_key("all", "limit states before this one, all of which pass it")
+    config::texts_key("all", "earlier limit states: exceeded if all of them are exceeded")
         .only("there is no quantity and no any")};
 
 PrecisionTarget read_target(Table const& table, WavesOfLevels waves, PrecisionTarget target) {
@@ -238,7 +239,7 @@ LimitState read_limit(Table const& table, std::span<LimitState const> before, bo
 constinit config::KeyTable const precision_table{.meaning = "precision at which a run may stop",
                                                  .keys = precision_keys.all};
 constinit config::KeyTable const limit_table{
-    .meaning = "a limit state beside overturning", .keys = limit_keys.all, .also = {&precision_table}};
+    .meaning = "limit state besides overturning", .keys = limit_keys.all, .also = {&precision_table}};
 
 std::vector<LimitState> read_limits(config::Table const& root, config::Table const& statistics, WavesOfLevels waves,
                                     bool falls_pass, Site const& site, EffectRequest& effects) {

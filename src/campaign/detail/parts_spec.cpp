@@ -16,12 +16,13 @@ constexpr std::array<config::Word, 3> part_kinds{{{"cylinder", "upright, solid"}
                                                   {"box", "upright, solid, as deep as wide"},
                                                   {"point", "without inertia of its own"}}};
 constexpr config::Keys part_keys{
-    config::word_key<part_kinds>("kind", "what it is"),
+    config::word_key<part_kinds>("kind", "kind of the part"),
     config::number_key("mass", Dimension::mass, Range::positive(), "mass"),
     config::number_key("diameter", Dimension::length, Range::positive(), "diameter").only("kind = cylinder"),
     config::number_key("width", Dimension::length, Range::positive(), "width").only("kind = box"),
-    config::number_key("height", Dimension::length, Range::not_negative(), "of the part; of a point above the ground"),
-    config::number_key("bottom", Dimension::length, Range::not_negative(), "height of its lower end above the ground")
+    config::number_key("height", Dimension::length, Range::not_negative(),
+                       "height of the part; of a point: its height above the ground"),
+    config::number_key("bottom", Dimension::length, Range::not_negative(), "height of the bottom above the ground")
         .otherwise(0)
         .only("kind = cylinder or box"),
     config::boolean_key(
@@ -29,7 +30,7 @@ constexpr config::Keys part_keys{
         .otherwise(false)
         .only("kind = cylinder or box"),
     config::number_key("friction", Dimension::none, Range::not_negative(),
-                       "static coefficient on the part that it stands on")
+                       "static coefficient of friction on the part below")
         .optional()
         .only("kind = cylinder or box")};
 

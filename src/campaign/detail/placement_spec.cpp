@@ -24,10 +24,11 @@ namespace {
 
 constexpr config::Keys placement_keys{
     config::number_key("offset", Dimension::length, Range::any(),
-                       "of the centre of gravity from the base's middle, to +x")
+                       "offset of the centre of gravity from the middle of the base, towards +x")
         .otherwise(0),
-    config::number_key("slope", Dimension::angle, Range::any(), "by which the ground falls towards +x").otherwise(0),
-    config::number_key("initial_tilt", Dimension::angle, Range::any(), "rotation at t = 0, let go there").otherwise(0)};
+    config::number_key("slope", Dimension::angle, Range::any(), "slope of the ground, falling towards +x").otherwise(0),
+    config::number_key("initial_tilt", Dimension::angle, Range::any(), "rotation at t = 0, released from rest")
+        .otherwise(0)};
 
 }  // namespace
 
