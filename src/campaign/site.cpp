@@ -145,6 +145,14 @@ Site read_site(Table const& table) {
 }
 
 std::optional<std::size_t> read_cask_body(Table const& table, std::span<BodySpec const> bodies) {
+    for (auto const& body : bodies) {
+        double const centre_m = body.body.centre_height_m();
+        if (double const top_m = table.maybe_number(site_keys["height"]).value_or(centre_m); top_m < centre_m) {
+            table.fail("height", fmt::format("{:g} m (below the centre of gravity of '{}', {:g} m: its top is higher). "
+                                             "State the height of its highest point",
+                                             top_m, body.name, centre_m));
+        }
+    }
     auto const name = stated_cask_body(table);
     if (!name) {
         return std::nullopt;

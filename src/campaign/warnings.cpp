@@ -203,6 +203,19 @@ std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, Ground
                                         stated.missing));
         }
     }
+    bool const in_space = body.axes > 1 && !motion.transverse_mps2.empty();
+    if (body.friction && (body.footing.stated || in_space) && (effects.wanted() & on_bed) != 0) {
+        double const slope = body.body.half_width_m() / body.body.centre_height_m();
+        double const held = body.friction->static_coefficient;
+        double const slips = body.friction->kinetic_coefficient;
+        if (slips < slope && slope <= held) {
+            lines.push_back(
+                fmt::format("{0}: it slides where it would rock first, because on points and in space it grips by its "
+                            "kinetic friction {1:.4g} alone, which is below tan(alpha) {2:.4g}; its static one {3:.4g} "
+                            "is above. Compute it with friction = {3:.4g} too, and take the worse",
+                            body.name, slips, slope, held));
+        }
+    }
     if (has(effects.include, Effect::vertical) && (body.axes < 3 || motion.vertical_mps2.empty())) {
         lines.push_back(fmt::format(
             "{}: the ground does not move vertically ({}). State a vertical component, or leave vertical out of "

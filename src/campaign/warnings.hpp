@@ -21,7 +21,8 @@ namespace overturn {
 [[nodiscard]] std::vector<std::string> warnings_of_effects(CampaignSpec const& spec, PreparedWave const& wave,
                                                            ModelSelector const& selector);
 
-/// Properties of a body or its motion that the stated effects ignore: friction, base and pad, further components.
+/// Properties of a body or its motion that the stated effects or the models ignore: friction, base and pad, further
+/// components.
 [[nodiscard]] std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, GroundMotion const& motion,
                                                                   EffectRequest const& effects);
 

@@ -52,22 +52,26 @@ std::string footing_text(BodySpec const& body, TypedUnits const& units) {
                              : "");
 }
 
-// Does it slide or rock first? Friction against the slope at which it tips.
+// Does it slide or rock first? Friction against the slope at which it tips: on points the kinetic one.
 std::string friction_text(BodySpec const& body) {
     if (!body.friction) {
         return "no slip";
     }
-    double const mu = body.friction->static_coefficient;
+    bool const on_points = body.footing.stated;
+    double const held = body.friction->static_coefficient;
+    double const mu = on_points ? body.friction->kinetic_coefficient : held;
     auto const& weaker = body.body.corner(body.body.weaker_side());
     double const slope =
         body.body.lopsided() ? std::tan(weaker.base_angle_rad) : body.body.half_width_m() / body.body.centre_height_m();
     auto const& drawn = body.scatter.friction;
-    if (drawn && drawn->scatters() && drawn->lowest() < slope && slope < drawn->highest()) {
-        double const below = 0.5 * std::erfc(-drawn->score(slope) / std::sqrt(2.0));
+    double const static_slope = slope * held / mu;
+    if (drawn && drawn->scatters() && drawn->lowest() < static_slope && static_slope < drawn->highest()) {
+        double const below = 0.5 * std::erfc(-drawn->score(static_slope) / std::sqrt(2.0));
         return fmt::format("friction about {:.4g}, tan(alpha) {:.4g}: slides before it rocks in {:.0f} % of draws", mu,
                            slope, 100 * below);
     }
-    auto const compared = fmt::format("friction {:.4g} {} tan(alpha) {:.4g}", mu, mu < slope ? "<" : ">=", slope);
+    auto const compared = fmt::format("{}friction {:.4g} {} tan(alpha) {:.4g}", mu < held ? "kinetic " : "", mu,
+                                      mu < slope ? "<" : ">=", slope);
     auto const& base = body.footing.base;
     bool const bears_further_in = base.is_bed() || base.shape == BaseShape::round;
     if (mu < slope) {

@@ -76,6 +76,24 @@ TEST(StatedEffects, FrictionThatTheyIgnoreIsReported) {
     EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\nmode='none'\n"), stuck));
 }
 
+// Points grip by the kinetic coefficient: where the static one alone is above tan(alpha), 0.431, a body slides that
+// would rock.
+TEST(StatedEffects, StaticFrictionThatPointsDoNotHaveIsReported) {
+    auto const told_of = [](std::string const& body_keys, std::string const& effects = "") {
+        return told(warnings_of(campaign_from(campaign_with(body_keys, effects))),
+                    "it slides where it would rock first");
+    };
+    std::string const apart = "friction={static=0.6, kinetic=0.4}\n";
+    std::string const flat = "base={bedding='flat'}\n";
+    EXPECT_TRUE(told_of(apart + flat));
+    EXPECT_TRUE(told_of(apart + "base={shape='round'}\n"));
+    EXPECT_FALSE(told_of(apart)) << "two rigid corners hold by the static one";
+    EXPECT_FALSE(told_of(apart + flat, "[effects]\nmode='none'\n")) << "no points";
+    EXPECT_FALSE(told_of("friction={static=0.6, kinetic=0.45}\n" + flat)) << "it rocks by either";
+    EXPECT_FALSE(told_of("friction={static=0.42, kinetic=0.4}\n" + flat)) << "it slides by either";
+    EXPECT_FALSE(told_of("friction=0.6\n" + flat));
+}
+
 // A limit to what the model of a body does not compute would decide nothing: it is said before the run.
 TEST(StatedEffects, LimitsToWhatNoTrialHasAreReported) {
     auto const warned = [](std::string const& quantity, std::string const& waves, std::string const& body) {

@@ -141,6 +141,7 @@ TEST(Site, WhatCannotBeMeantIsRefused) {
     refuse(with_site("wall={}\n"), "site.wall", "no direction");
     refuse(with_site("wall='-1 m'\n"), "site.wall", "above 0");
     refuse(with_site("wall={up='1 m'}\n"), "site.wall.up", "unknown key");
+    refuse(with_site("wall='1 m'\nheight='1 m'\n"), "site.height", "below the centre of gravity of");
     refuse(with_site("wall='1 m'\ncask_body='type-b'\n"), "site.cask_body", "without cask");
     refuse(with_site("cask='1 m'\ncask_body='type-c'\n"), "site.cask_body", "Did you mean 'type-b'");
     refuse(with_site("wall='1 m'\nwidth='0 m'\n"), "site.width", "above 0");
