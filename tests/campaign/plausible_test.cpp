@@ -112,7 +112,15 @@ TEST(Plausible, PartsThatMoveOnEachOtherFirstGetOne) {
         tips.front(),
         "c: part 1 tips at 0.463 g on what it stands on, before the whole tips at 0.651 g (all parts are computed "
         "as one body). State fastened = true there if nothing can move; else add a body of all above that joint: "
-        "mass 117 t, base_width 2.5 m, centre_height 2.7 m");
+        "mass 117 t, base_width 2.5 m, centre_height 2.7 m, base = {shape = \"round\"}");
+    auto const narrow = warnings_of(
+        testing::campaign_from(testing::quick_waves
+                               + "[[bodies]]\nname='c'\nbase_width=3.4\nparts=[{kind='box', mass='117 t', width=2.5, "
+                                 "height=5.4, bottom=0.35}, {kind='box', mass='21 t', width=3.4, height=0.35}]\n"
+                               + testing::levels("values=[3]\n"))
+            .bodies.front());
+    ASSERT_EQ(narrow.size(), 1U);
+    EXPECT_TRUE(narrow.front().ends_with("centre_height 2.7 m")) << "a box has a square foot";
     expect_told(of("", "gravity=4.9\n"), "c: part 1 tips at 0.463 g on what it stands on");  // of its own gravity
     EXPECT_TRUE(of(", fastened=true").empty());
     EXPECT_EQ(of(", fastened=false"), tips);

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "body/joints.hpp"
+#include "body/parts.hpp"
 
 namespace overturn {
 namespace {
@@ -18,6 +20,15 @@ std::string numbers(std::vector<std::size_t> const& parts) {
     std::vector<std::size_t> from_one;
     std::ranges::transform(parts, std::back_inserter(from_one), [](std::size_t part) { return part + 1; });
     return fmt::format("part{} {}", parts.size() > 1 ? "s" : "", fmt::join(from_one, " and "));
+}
+
+// The foot of what stands there, if it is round: as a body of its own it rolls under two components.
+char const* base_of(Joint const& joint, std::vector<BodyPart> const& parts) {
+    bool const is_round = std::ranges::any_of(joint.parts, [&](std::size_t place) {
+        auto const* const cylinder = std::get_if<Cylinder>(&parts[place]);
+        return cylinder != nullptr && cylinder->radius_m == joint.half_width_m;
+    });
+    return is_round ? ", base = {shape = \"round\"}" : "";
 }
 
 }  // namespace
@@ -39,13 +50,13 @@ std::vector<std::string> loose_parts(BodySpec const& spec) {
         lines.push_back(fmt::format(
             "{} {} at {:.3g} g on what {} on, before the whole {} at {:.3g} g (all parts are computed as one body). "
             "State fastened = true there if nothing can move; else add a body of all above that joint: mass {:.4g} {}, "
-            "base_width {:.4g} {}, centre_height {:.4g} {}",
+            "base_width {:.4g} {}, centre_height {:.4g} {}{}",
             numbers(joint.parts),
             joint.parts.size() > 1 ? (joint.slides_first() ? "slide" : "tip")
                                    : (joint.slides_first() ? "slides" : "tips"),
             parts_at, joint.parts.size() > 1 ? "they stand" : "it stands", whole_slides ? "slides" : "tips", whole,
             joint.mass_kg / mass.si, mass.symbol, 2 * joint.half_width_m / length.si, length.symbol,
-            joint.centre_above_m / length.si, length.symbol));
+            joint.centre_above_m / length.si, length.symbol, base_of(joint, spec.parts)));
     }
     for (auto const place : without_joint(spec.parts)) {
         lines.push_back(
