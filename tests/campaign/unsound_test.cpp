@@ -91,6 +91,22 @@ TEST(Unsound, SpinsAreStatedInTheirUnits) {
     }
 }
 
+// Energies over the mass likewise; a bare number has no other unit that it could be.
+TEST(Unsound, EnergiesOfLandingsHaveUnits) {
+    auto const limit = [](std::string const& above) {
+        return testing::campaign_from(
+                   scene("values=['0.3 g']\n",
+                         "[[limits]]\nname='hard'\nquantity='landing_energy'\nabove=" + above + "\n"))
+            .limits[1];
+    };
+    EXPECT_EQ(limit("'17.5 J/kg'").threshold, 17.5);
+    EXPECT_EQ(limit("'17.5 kJ/t'").threshold, 17.5);
+    EXPECT_EQ(limit("17.5").threshold, 17.5);
+    for (auto const* wrong : {"'17.5 kJ'", "'17.5 m/s'", "'17.5'", "'-1 J/kg'"}) {
+        testing::expect_input_error([&] { (void)limit(wrong); }, "limits[0].above", "J/kg or kJ/t");
+    }
+}
+
 // A results file that has them is still read.
 TEST(Unsound, IsNotAskedOfWhatIsReadOnly) {
     EXPECT_NO_THROW((void)testing::campaign_from(scene("values=['0.3 g', 0.5]\n")));

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <string>
+#include <string_view>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -144,22 +147,35 @@ void call_for(Table const& table, LimitQuantity const& quantity, EffectRequest& 
                                        quantity.name, names_of_effects(quantity.needs)));
 }
 
-// Angular velocities are stated nowhere else.
-double read_spin(Table const& table, config::Key const& key, IntensityUnit& shown) {
+// Units of what is stated nowhere else: angular velocities, energies over the mass.
+struct OwnUnit {
+    std::string_view symbol;
+    double si;
+};
+constexpr std::array spin_units{OwnUnit{"rad/s", 1}, OwnUnit{"deg/s", pi / 180}};
+constexpr std::array energy_units{OwnUnit{"J/kg", 1}, OwnUnit{"kJ/t", 1}};
+
+// Empty: its unit is one of the others.
+std::span<OwnUnit const> own_units_of(LimitQuantity const& quantity) {
+    using Units = std::span<OwnUnit const>;
+    return quantity.units == "rad/s" ? Units(spin_units) : quantity.units == "J/kg" ? Units(energy_units) : Units();
+}
+
+double read_of_own_unit(Table const& table, config::Key const& key, std::span<OwnUnit const> units,
+                        IntensityUnit& shown) {
     if (table.kind(key.name) != config::Kind::text) {
         return table.number(key);
     }
     auto const text = table.text(key.name);
     auto const blank = std::min(trimmed(text).find(' '), trimmed(text).size());
-    auto const unit = std::string(trimmed(trimmed(text).substr(blank)));
+    auto const unit = trimmed(trimmed(text).substr(blank));
+    auto const found = std::ranges::find(units, unit, &OwnUnit::symbol);
     double value = 0;
-    if (!parse_number(trimmed(text).substr(0, blank), value) || !(unit == "rad/s" || unit == "deg/s")
-        || !key.range.holds(value)) {
-        table.fail(key.name, fmt::format("'{}' (must be a number above 0 of rad/s or deg/s). Write for example "
-                                         "\"1.5 rad/s\"",
-                                         text));
+    if (!parse_number(trimmed(text).substr(0, blank), value) || found == units.end() || !key.range.holds(value)) {
+        table.fail(key.name, fmt::format("'{}' (must be a number above 0 of {} or {}). Write for example \"1.5 {}\"",
+                                         text, units[0].symbol, units[1].symbol, units[0].symbol));
     }
-    shown = {unit, unit == "rad/s" ? 1 : pi / 180};
+    shown = {std::string(unit), found->si};
     return value * shown.si;
 }
 
@@ -183,8 +199,8 @@ void read_threshold(Table const& table, LimitState& limit, bool falls_pass, Effe
         table.fail("below", "stated beside above (one side fails). Keep one, or join two limits with any or all");
     }
     auto const dimension = dimension_of(limit.quantity);
-    if (limit.quantity.units == "rad/s") {
-        limit.threshold = read_spin(table, key, limit.shown);
+    if (auto const units = own_units_of(limit.quantity); !units.empty()) {
+        limit.threshold = read_of_own_unit(table, key, units, limit.shown);
         call_for(table, limit.quantity, effects);
         return;
     }
