@@ -19,7 +19,7 @@ WaveDescription description_of(std::span<Record const> records) {
     auto const noun = [&](std::string_view one) { return fmt::format("{}{}", one, records.size() == 1 ? "" : "s"); };
     constexpr std::size_t most = 20;
     WaveDescription about{.text = fmt::format("{} {}", records.size(), noun("record")),
-                          .variability = fmt::format("{} measured {}, as chosen", records.size(), noun("motion")),
+                          .variability = fmt::format("{} recorded {}, as chosen", records.size(), noun("motion")),
                           .available = records.size()};
     for (auto const& record : records) {
         if (about.measured.size() < most) {

@@ -159,8 +159,8 @@ int write_study(NewOptions const& options) {
                  "{}: exists already (it would be lost). Use another name, or --force", options.file);
     }
     note_warnings(warnings_of(spec));
-    print_note("{}: {} trials. Assumed values are marked \"assumed\" in the file. Next: overturn plan {}\n",
-               options.file, Plan(spec).without_refusals().trials(), options.file);
+    print_note("{}: {} trials. Assumed values are marked \"assumed\". Next: overturn plan {}\n", options.file,
+               Plan(spec).without_refusals().trials(), options.file);
     return done;
 }
 

@@ -179,7 +179,7 @@ void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan cons
     for (auto const& remark : spec.source->about().remarks) {
         print_entry("remark", remark);
     }
-    print_entry("differ by", spec.source->about().variability);
+    print_entry("variation", spec.source->about().variability);
     print_records(spec, options.full);
     fmt::print("{}",
                bodies_text(spec, options.unit.of_campaign(spec), options.full ? spec.bodies.size() : most_bodies));
@@ -188,7 +188,7 @@ void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan cons
     if (hazard) {
         print_entry("hazard", fmt::format("{}: {}", input.hazard_file(), output::range_text(*hazard)));
     }
-    print_entry("validated", validated_range_text(spec, options.full ? spec.bodies.size() : most_outside));
+    print_entry("validity", validated_range_text(spec, options.full ? spec.bodies.size() : most_outside));
     fmt::print("{}", assumptions_lines(spec, options.full));
     for (auto const& line : warnings_of(spec)) {
         print_entry("warning", line);

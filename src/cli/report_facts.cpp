@@ -43,7 +43,7 @@ Json facts_of(CampaignSpec const& spec, Plan const& plan, Statistics const& stat
     for (auto const& remark : spec.source->about().remarks) {
         add("remark on the waves", remark);
     }
-    add("waves differ by", spec.source->about().variability);
+    add("variability of waves", spec.source->about().variability);
     if (auto const sigma = statistics.achieved_sigma()) {
         add("scatter about the median", output::sigma_text(*sigma));
     }

@@ -109,7 +109,7 @@ std::string body_text(BodyAnalysis const& body, double confidence) {
     auto text = fmt::format(
         "\n{}: fragility curves from {} {}; confidence intervals by {}\n", body.body, levels.waves, of,
         levels.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap over waves" : "profile likelihood");
-    text += fmt::format("  waves differ by {}\n", body.variability);
+    text += fmt::format("  variability of waves: {}\n", body.variability);
     text += body.sigma ? fmt::format("  {}\n", sigma_text(*body.sigma)) : "";
     text += fragility_table(body.fragility, confidence);
     for (auto const& limit : body.limits) {

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/wrapped.hpp"
 #include "output/record_page.hpp"
 
 namespace overturn::qualify {
@@ -97,17 +97,19 @@ bool Qualification::passed() const { return std::ranges::all_of(checks, &Check::
 std::string text_of(Qualification const& shown) {
     std::string text;
     for (auto const& check : shown.checks) {
-        fmt::format_to(std::back_inserter(text), "{}  {}  {} ({}{}): {}\n", word(check), check.number, check.shows,
-                       check.source, shown.published ? fmt::format("; {}", name_of(check.basis)) : "",
-                       with_remark(found_text(check), check));
+        text += labelled(fmt::format("{}  {}", word(check), check.number),
+                         fmt::format("{} ({}{}): {}", check.shows, check.source,
+                                     shown.published ? fmt::format("; {}", name_of(check.basis)) : "",
+                                     with_remark(found_text(check), check)),
+                         12);
     }
     for (auto const& left : shown.left_out) {
-        fmt::format_to(std::back_inserter(text), "left out: {}: {}\n", with_source(left), left.reason);
+        text += wrapped(fmt::format("left out: {}: {}", with_source(left), left.reason), 4);
     }
     for (auto const& [name, value] : circumstances(shown)) {
-        fmt::format_to(std::back_inserter(text), "{}: {}\n", name, value);
+        text += wrapped(fmt::format("{}: {}", name, value), 4);
     }
-    return text + (shown.published ? bases_text(shown) + "\n" : "") + verdict(shown) + "\n";
+    return text + (shown.published ? wrapped(bases_text(shown)) : "") + wrapped(verdict(shown), 4);
 }
 
 nlohmann::ordered_json json_of(Qualification const& shown) {

@@ -49,7 +49,7 @@ void require_readable(std::filesystem::path const& path) {
 
 std::string damaged(std::filesystem::path const& path, std::string const& why) {
     return fmt::format(
-        "{}: damaged or edited ({}). Restore it or run the campaign again; as it is, it is read with --unverified",
+        "{}: damaged or edited ({}). Restore it or run the campaign again; to read it as it is, add --unverified",
         path.string(), why);
 }
 

@@ -110,8 +110,8 @@ TEST(Plausible, PartsThatMoveOnEachOtherFirstGetOne) {
     ASSERT_EQ(tips.size(), 1U);
     EXPECT_EQ(
         tips.front(),
-        "c: part 1 tips at 0.463 g on what it stands on, before the whole tips at 0.651 g (all parts are computed "
-        "as one body). State fastened = true there if nothing can move; else add a body of all above that joint: "
+        "c: part 1 tips on the part below at 0.463 g, before the whole body tips at 0.651 g (all parts are computed "
+        "as one body). State fastened = true if no motion is possible there; else add a body of the parts above: "
         "mass 117 t, base_width 2.5 m, centre_height 2.7 m, base = {shape = \"round\"}");
     auto const narrow = warnings_of(
         testing::campaign_from(testing::quick_waves
@@ -121,16 +121,17 @@ TEST(Plausible, PartsThatMoveOnEachOtherFirstGetOne) {
             .bodies.front());
     ASSERT_EQ(narrow.size(), 1U);
     EXPECT_TRUE(narrow.front().ends_with("centre_height 2.7 m")) << "a box has a square foot";
-    expect_told(of("", "gravity=4.9\n"), "c: part 1 tips at 0.463 g on what it stands on");  // of its own gravity
+    expect_told(of("", "gravity=4.9\n"), "c: part 1 tips on the part below at 0.463 g");  // of its own gravity
     EXPECT_TRUE(of(", fastened=true").empty());
     EXPECT_EQ(of(", fastened=false"), tips);
     EXPECT_TRUE(of("", "friction=0.4\n").empty()) << "the whole slides first";
-    expect_told(of("", "friction=0.5\n"), "before the whole slides at 0.5 g");
-    expect_told(of("", "friction={distribution='uniform', low=0.3, high=0.5}\n"), "before the whole slides at 0.5 g");
+    expect_told(of("", "friction=0.5\n"), "before the whole body slides at 0.5 g");
+    expect_told(of("", "friction={distribution='uniform', low=0.3, high=0.5}\n"),
+                "before the whole body slides at 0.5 g");
     expect_told(of(", friction=0.3", "friction=0.4\n"),
-                "part 1 slides at 0.3 g on what it stands on, before the whole");
+                "part 1 slides on the part below at 0.3 g, before the whole body");
     expect_told(of("", "slope='2 deg'\naxes=1\n"),
-                "tips at 0.421 g on what it stands on, before the whole tips at 0.602");
+                "tips on the part below at 0.421 g, before the whole body tips at 0.602");
     auto const sunk = warnings_of(
         testing::campaign_from(testing::quick_waves
                                + "[[bodies]]\nname='c'\nbase_width=3.4\nparts=[{kind='cylinder', mass='117 t', "
@@ -138,7 +139,7 @@ TEST(Plausible, PartsThatMoveOnEachOtherFirstGetOne) {
                                  "height=0.35}]\n"
                                + testing::levels("values=[3]\n"))
             .bodies.front());
-    expect_told(sunk, "part 1 stands above the base, but its bottom meets no top of another part");
+    expect_told(sunk, "part 1 stands above the base, but no other part ends at its bottom");
 }
 
 std::vector<std::string> of_campaign(std::string const& waves, std::string const& levels = "values=[3]\n",

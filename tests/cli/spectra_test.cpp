@@ -117,10 +117,10 @@ TEST_F(Spectra, CurvesSayByWhatTheirWavesDiffer) {
              {"match='none'\n" + target, "random noise about one spectrum, which is not centred on the target"},
              {target + "[waves.variability]\nsigma=0.6\ncorrelation='full'\n", "targets drawn, "}}) {
         folder.write("w.toml", waves + keys + bodies);
-        EXPECT_NE(planned(folder, {"w.toml"}).out.find("differ by " + words), std::string::npos) << words;
+        EXPECT_NE(planned(folder, {"w.toml"}).out.find("variation " + words), std::string::npos) << words;
         auto const run = overturn(folder, {"run", "w.toml", "-o", "w.h5", "--full"});
         ASSERT_EQ(run.code, 0) << run.err;
-        EXPECT_NE(run.out.find("waves differ by " + words), std::string::npos) << run.out;
+        EXPECT_NE(run.out.find("variability of waves: " + words), std::string::npos) << run.out;
         auto const fit = json::parse(overturn(folder, {"fit", "w.h5", "--json"}).out);
         EXPECT_TRUE(fit["variability"].get<std::string>().starts_with(words)) << fit["variability"];
         bool const drawn = words.starts_with("targets");

@@ -125,9 +125,9 @@ TEST_F(Warnings, CaskLooseOnItsPallet) {
         records_campaign("pga", "'300 gal'",
                          "base_width='3.4 m'\nparts=[{kind='cylinder', mass='117 t', diameter=2.5, "
                          "height=5.4, bottom=0.35}, {kind='box', mass='21 t', width=3.4, height=0.35}]\n");
-    expect_said(stacked, {"b: part 1 tips at 0.463 g", "before the whole tips at 0.651 g"});
+    expect_said(stacked, {"b: part 1 tips on the part below at 0.463 g", "before the whole body tips at 0.651 g"});
     ASSERT_EQ(overturn(folder, {"report", "c.h5", "-o", "c.html"}).code, 0);
-    EXPECT_NE(folder.read("c.html").find("part 1 tips at 0.463 g"), std::string::npos);
+    EXPECT_NE(folder.read("c.html").find("part 1 tips on the part below at 0.463 g"), std::string::npos);
 }
 
 TEST_F(Warnings, PgvOf5000Kine) {

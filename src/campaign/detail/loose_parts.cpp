@@ -48,21 +48,21 @@ std::vector<std::string> loose_parts(BodySpec const& spec) {
             continue;
         }
         lines.push_back(fmt::format(
-            "{} {} at {:.3g} g on what {} on, before the whole {} at {:.3g} g (all parts are computed as one body). "
-            "State fastened = true there if nothing can move; else add a body of all above that joint: mass {:.4g} {}, "
-            "base_width {:.4g} {}, centre_height {:.4g} {}{}",
+            "{} {} on the part below at {:.3g} g, before the whole body {} at {:.3g} g (all parts are computed as one "
+            "body). State fastened = true if no motion is possible there; else add a body of the parts above: mass "
+            "{:.4g} {}, base_width {:.4g} {}, centre_height {:.4g} {}{}",
             numbers(joint.parts),
             joint.parts.size() > 1 ? (joint.slides_first() ? "slide" : "tip")
                                    : (joint.slides_first() ? "slides" : "tips"),
-            parts_at, joint.parts.size() > 1 ? "they stand" : "it stands", whole_slides ? "slides" : "tips", whole,
-            joint.mass_kg / mass.si, mass.symbol, 2 * joint.half_width_m / length.si, length.symbol,
-            joint.centre_above_m / length.si, length.symbol, base_of(joint, spec.parts)));
+            parts_at, whole_slides ? "slides" : "tips", whole, joint.mass_kg / mass.si, mass.symbol,
+            2 * joint.half_width_m / length.si, length.symbol, joint.centre_above_m / length.si, length.symbol,
+            base_of(joint, spec.parts)));
     }
     for (auto const place : without_joint(spec.parts)) {
-        lines.push_back(
-            fmt::format("{} stands above the base, but its bottom meets no top of another part: nothing was checked of "
-                        "where it tips or slides. Mend its bottom or their heights, or state fastened = true there",
-                        numbers({place})));
+        lines.push_back(fmt::format(
+            "{} stands above the base, but no other part ends at its bottom: whether it tips or slides was not "
+            "checked. Mend its bottom or their heights, or state fastened = true",
+            numbers({place})));
     }
     return lines;
 }

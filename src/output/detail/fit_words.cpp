@@ -182,9 +182,11 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
                fmt::format("{:g} trials have no verdict and are left out of the curve{}", fit.undecided,
                            fit.identifiable() ? "; its intervals include both extremes (all stood, all fell)" : ""));
     }
-    add_if(FragilityFlag::few_waves, fmt::format("only {} {}: bootstrap intervals are too short (coverage with "
-                                                 "ten: 90 % instead of 95; with five: 84)",
-                                                 fit.waves, fit.alike > 1 ? "groups of waves" : "waves"));
+    if (fit.identifiable()) {  // without a curve nothing is resampled
+        add_if(FragilityFlag::few_waves, fmt::format("only {} {}: bootstrap intervals are too short (coverage with "
+                                                     "ten: 90 % instead of 95; with five: 84)",
+                                                     fit.waves, fit.alike > 1 ? "groups of waves" : "waves"));
+    }
     add_if(FragilityFlag::waves_left_out,
            fmt::format("curves and bootstrap use the first {} waves (20 million trials)", fit.waves));
     add_if(FragilityFlag::interval_unbounded, "an interval is open: the data do not limit it");
