@@ -36,9 +36,9 @@ template <> Fields const& fields_of<Outcome>() {
         field<&O::overturn_time_s>("overturn_time", "s", "time of |theta| = pi/2; NaN: not overturned"),
         field<&O::landing_spin_radps>(
             "landing_spin", "rad/s", "angular velocity when an overturning body lies, at |theta| = pi/2; 0: it stands"),
-        field<&O::landing_velocity_mps>(
-            "landing_velocity", "m/s",
-            "velocity of the centre of gravity when it lies; NaN: after a flight that the model does not follow"),
+        field<&O::landing_velocity_mps>("landing_velocity", "m/s",
+                                        "velocity of the centre of gravity when it lies, flights included; NaN: of a "
+                                        "flight, by an earlier program"),
         field<&O::landing_top_mps>(
             "landing_top_velocity", "m/s",
             "velocity of the top when it lies: on the axis, at twice the height of the centre of "

@@ -17,8 +17,7 @@ struct Outcome {
     double time_of_peak_s = never;
     double peak_energy_ratio = 0;
     double overturn_time_s = never, first_uplift_s = never;
-    // Of a body that overturned, at a tilt of pi/2, where its side reaches the pad; 0: it does not. NaN: it left the
-    // ground under a model that does not follow its flight.
+    // Of a body that overturned, at a tilt of pi/2, where its side reaches the pad; 0: it does not.
     double landing_spin_radps = 0;    ///< angular velocity
     double landing_velocity_mps = 0;  ///< of the centre of gravity
     double landing_top_mps = 0;       ///< of the point of its axis at twice the height of the centre of gravity

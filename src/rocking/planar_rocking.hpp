@@ -80,8 +80,11 @@ struct RockingOutcome : Outcome {
     double impact_spin_radps = 0;              ///< largest |omega| before an impact
     double most_slip_m = 0, least_slip_m = 0;  ///< farthest that the base slipped to either side
     double landing_slip_mps = 0;               ///< of the corner at the end, towards the fall
-    bool slip_onset = false;                   ///< Slip::detected ended here: nothing else of this outcome counts
-    EnergyBalance energy;                      ///< with Slip::simulated only
+    /// Of the centre of gravity where it lies, towards the fall and down, where it left the ground as it fell; NaN: it
+    /// did not. Whatever it would still fall then is added: it lies no slower.
+    double flight_along_mps = never, flight_down_mps = never;
+    bool slip_onset = false;  ///< Slip::detected ended here: nothing else of this outcome counts
+    EnergyBalance energy;     ///< with Slip::simulated only
 };
 
 /// One instant of a history.

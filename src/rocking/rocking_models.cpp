@@ -39,21 +39,19 @@ RockingTrial rocking_trial(Trial const& trial) {
     return {block_of(*trial.body, trial.friction), planar_excitation(trial), {trial.body->initial_tilt_rad(), 0}};
 }
 
-// On its corner, or slipping on it: a body that has left the ground is followed by its rotation alone.
+// On its corner, slipping on it, or in flight.
 void fill_landing(RockingOutcome const& rocking, RigidBody const& body, Outcome& outcome) {
     if (outcome.verdict != Verdict::overturned) {
-        return;
-    }
-    if (!std::isnan(outcome.contact_lost_s)) {
-        outcome.landing_velocity_mps = outcome.landing_top_mps = outcome.landing_energy_jpkg = never;
         return;
     }
     double const b = body.lopsided() ? body.corner(rocking.peak_side).half_width_m : body.half_width_m();
     double const h = body.centre_height_m();
     double const spin = outcome.landing_spin_radps;
-    double const along = spin * b + rocking.landing_slip_mps;
-    outcome.landing_velocity_mps = std::hypot(along, spin * h);
-    outcome.landing_top_mps = std::hypot(along, spin * 2 * h);
+    bool const flew = !std::isnan(rocking.flight_along_mps);
+    double const along = flew ? rocking.flight_along_mps : spin * b + rocking.landing_slip_mps;
+    double const down = flew ? rocking.flight_down_mps : spin * h;
+    outcome.landing_velocity_mps = std::hypot(along, down);
+    outcome.landing_top_mps = std::hypot(along, down + spin * h);
     double const speed = outcome.landing_velocity_mps;
     outcome.landing_energy_jpkg = 0.5 * (speed * speed + body.inertia_kgm2() / body.mass_kg() * spin * spin);
 }

@@ -236,6 +236,72 @@ TEST(ContactLoss, BeyondAlphaTheFallKeepsItsRate) {
     }
 }
 
+// Sums in fine steps the fall of a centre of gravity from the instant at which the block left the ground, to where it
+// lies: at 90 degrees or below, but no lower than half its width.
+struct Fall {
+    double along_mps, down_mps;
+    bool ends_above = false;
+
+    Fall(RockingOutcome const& out, double sign, std::vector<double> const& horizontal,
+         std::vector<double> const& vertical, double dt) {
+        double const spin = out.landing_spin_radps;
+        double const flight_s = out.overturn_time_s - out.contact_lost_s;
+        double const radius_m = 0.75 * g0 / (block.p_radps * block.p_radps);
+        double const lies_at_m = radius_m * std::sin(block.alpha_rad);
+        double const angle = block.alpha_rad - (pi / 2 - spin * flight_s);
+        along_mps = radius_m * std::cos(angle) * spin;
+        double up_mps = radius_m * std::sin(angle) * spin;
+        double height_m = radius_m * std::cos(angle);
+        auto const at = [&](std::vector<double> const& wave, double time_s) {
+            auto const i = static_cast<std::size_t>(time_s / dt);
+            return i + 1 < wave.size() ? std::lerp(wave[i], wave[i + 1], time_s / dt - static_cast<double>(i)) : 0.0;
+        };
+        constexpr int steps = 200000;
+        for (int i = 0; i < steps; ++i) {
+            double const time_s = out.contact_lost_s + (i + 0.5) * flight_s / steps;
+            along_mps -= sign * at(horizontal, time_s) * flight_s / steps;
+            if (height_m > lies_at_m) {
+                up_mps -= (g0 + at(vertical, time_s)) * flight_s / steps;
+                height_m += up_mps * flight_s / steps;
+            }
+        }
+        ends_above = height_m > lies_at_m;
+        down_mps = std::sqrt(up_mps * up_mps + 2 * g0 * std::max(0.0, height_m - lies_at_m));
+    }
+};
+
+// in flight the centre of gravity falls under gravity and the shaking of the ground, here pulled aside, and away
+// after 20 samples, gently or hard. What slips before takes its slip along.
+TEST(Landing, AfterAFlight) {
+    double const dt = 1e-3;
+    std::vector<double> drop(61, 0.0);
+    std::vector<double> aside(61, 0.0);
+    for (double const pull : {1.6, 20.0}) {
+        std::fill(drop.begin() + 20, drop.begin() + 40, -pull * g0);
+        for (double const sign : {1.0, -1.0}) {
+            std::fill(aside.begin(), aside.begin() + 40, sign * 3.0);
+            for (double const friction : {0.0, 0.02}) {
+                auto slips = block;
+                slips.friction_static = slips.friction_kinetic = friction;
+                auto const out =
+                    simulate_rocking(slips, {.horizontal_mps2 = aside, .vertical_mps2 = drop, .time_step_s = dt}, {},
+                                     {.rotation_rad = sign * 1.3 * block.alpha_rad, .velocity_radps = sign * 1.6},
+                                     nullptr, friction == 0 ? Slip::ignored : Slip::simulated);
+                ASSERT_EQ(out.verdict, Verdict::overturned);
+                ASSERT_NEAR(out.contact_lost_s, 19.5 * dt, dt);
+                Fall const fall(out, sign, aside, drop, dt);
+                EXPECT_EQ(fall.ends_above, pull > 2);
+                EXPECT_NEAR(out.flight_down_mps, fall.down_mps, 1e-3);
+                EXPECT_NEAR(out.flight_along_mps, fall.along_mps + out.landing_slip_mps, 1e-3);
+                EXPECT_EQ(std::abs(out.landing_slip_mps) > 1e-3, friction > 0);
+            }
+        }
+    }
+    std::vector<double> const calm(61, 0.0);
+    auto const stays = simulate_rocking(block, shaking(calm, dt), {}, {.rotation_rad = 1.3 * block.alpha_rad});
+    EXPECT_TRUE(std::isnan(stays.flight_along_mps)) << "it fell about its corner";
+}
+
 // A history ends where the body lies, stuck or slipping, and with the velocity that it lands with.
 TEST(Landing, HistoriesEndWhereTheBodyLies) {
     struct Last : RockingObserver {
