@@ -34,7 +34,10 @@ struct MovementSpec {
     /// Verdict of a trial that stands, by these thresholds; other verdicts stay.
     /// \param may_slip has it friction? Rolling or walking of a base that holds fast is no slip
     /// \param pad under it, where it ran on points
-    [[nodiscard]] Verdict verdict(Response const& response, RigidBody const& body, bool may_slip, Pad const& pad) const;
+    /// \param peak_rise_m of the centre of gravity; NaN: not known. What rotation and springs do not explain of it was
+    /// flight
+    [[nodiscard]] Verdict verdict(Response const& response, RigidBody const& body, bool may_slip, Pad const& pad,
+                                  double peak_rise_m = never) const;
 };
 
 /// Measures of every wave. The unit of R is an option because the original does not print it.

@@ -132,11 +132,12 @@ SceneTrial scaled(Scene const& scene, PreparedWave const& wave, TrialRow const& 
     return {scene, wave.motion, row.scale, wave.intensity.pga_mps2, &wave.chunks};
 }
 
-void close_row(CampaignSpec const& spec, TrialRow& row, PreparedWave const& wave, Response const& response) {
+void close_row(CampaignSpec const& spec, TrialRow& row, PreparedWave const& wave, Response const& response,
+               double peak_rise_m) {
     static_cast<Response&>(row) = response;
     auto const& drawn = wave.bodies[row.body];
     row.verdict = spec.measures.movement.verdict(response, drawn.body, drawn.friction.has_value(),
-                                                 spec.bodies[row.body].footing.pad);
+                                                 spec.bodies[row.body].footing.pad, peak_rise_m);
     auto const& measures = wave.measures.at(row.body);
     if (std::isnan(measures.v_wes_max_mps)) {
         return;
@@ -163,7 +164,8 @@ TrialRows answered(CampaignSpec const& spec, ModelSelector const& selector, Prep
     selector.put_defaults(trial.extra);
     if (!failed(row)) {
         auto const scene = scene_of(spec, wave, body);
-        close_row(spec, row, wave, selector.respond(scaled(scene, wave, row), trial.extra));
+        auto const response = selector.respond(scaled(scene, wave, row), trial.extra);
+        close_row(spec, row, wave, response, selector.own_value(response, "peak_rise", trial.extra));
     }
     return trial;
 }
@@ -289,7 +291,8 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
                 seconds);
         for (std::size_t i = 0; i < count; ++i) {
             auto const& [row, wave] = places[first + i];
-            close_row(spec, rows[row], *wave, responses[i]);
+            double const rise_m = selector.own_value(responses[i], "peak_rise", std::span(own).subspan(i * each, each));
+            close_row(spec, rows[row], *wave, responses[i], rise_m);
             std::copy_n(own.begin() + (i * each), each, trials.extra.begin() + (row * each));
         }
     }

@@ -65,7 +65,8 @@ int rock(RockOptions const& options) {
     }
     std::optional<HistoryFile> history;
     auto response = selector.respond(trial, own);
-    response.verdict = MovementSpec{}.verdict(response, spec.body, spec.friction.has_value(), spec.footing.pad);
+    response.verdict = MovementSpec{}.verdict(response, spec.body, spec.friction.has_value(), spec.footing.pad,
+                                              selector.own_value(response, "peak_rise", own));
     if (!options.history.empty()) {
         history.emplace(options.history);
         selector.show(trial, response, *history);

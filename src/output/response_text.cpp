@@ -69,13 +69,8 @@ std::string column_text(Field const& field, std::span<std::byte const> values, T
 
 // Of the model that answered: a base on points, a rim or a disc has a restitution of its own.
 double restitution_of(OneResponse const& of) {
-    for (auto const& [traits, offset] : of.selector.extra_parts()) {
-        auto const found = std::ranges::find(traits->fields, "restitution", &Field::name);
-        if (traits->number == of.response.model && found != traits->fields.end()) {
-            return real_at(of.own.subspan(offset), *found);
-        }
-    }
-    return of.spec.body.restitution();
+    double const found = of.selector.own_value(of.response, "restitution", of.own);
+    return std::isnan(found) ? of.spec.body.restitution() : found;
 }
 
 std::string body_text(OneResponse const& of, ShownVelocity const& unit) {
@@ -99,11 +94,8 @@ std::string moved_text(OneResponse const& of, ShownVelocity const& unit) {
     if (entry_of(r.verdict).fell) {
         text += fmt::format("overturned       {}, lies with {:.4g} rad/s", time_text(r.overturn_time_s),
                             r.landing_spin_radps);
-        text +=
-            std::isnan(r.landing_velocity_mps)
-                ? std::string(" (it left the ground: its velocity is not known)\n")
-                : fmt::format(", its centre of gravity with {}, its top with {}, {:.4g} kJ per t\n",
-                              unit.text(r.landing_velocity_mps), unit.text(r.landing_top_mps), r.landing_energy_jpkg);
+        text += fmt::format(", its centre of gravity with {}, its top with {}, {:.4g} kJ per t\n",
+                            unit.text(r.landing_velocity_mps), unit.text(r.landing_top_mps), r.landing_energy_jpkg);
     }
     text += fmt::format("uplift           first {}, {} impacts, off the ground {}\n", time_text(r.first_uplift_s),
                         r.impacts, time_text(r.contact_lost_s));

@@ -226,6 +226,16 @@ Response ModelSelector::conclude(TrialState const& state) const {
     return response;
 }
 
+double ModelSelector::own_value(Response const& response, std::string_view name, std::span<std::byte const> own) const {
+    for (auto const& [traits, offset] : extra_parts_) {
+        auto const field = std::ranges::find(traits->fields, name, &Field::name);
+        if (traits->number == response.model && field != traits->fields.end()) {
+            return real_at(own.subspan(offset), *field);
+        }
+    }
+    return never;
+}
+
 void ModelSelector::put_defaults(std::span<std::byte> extra) const {
     for (std::size_t at = 0; at < extra.size(); at += extra_bytes_) {
         for (auto const& [traits, offset] : extra_parts_) {

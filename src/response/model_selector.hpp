@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "body/rigid_body.hpp"
@@ -79,6 +80,9 @@ class ModelSelector {
     /// Models that may run here and have extra quantities.
     [[nodiscard]] std::vector<ExtraPart> const& extra_parts() const { return extra_parts_; }
     [[nodiscard]] std::size_t extra_bytes() const { return extra_bytes_; }
+    /// What the model that answered says of its own by this name; NaN: nothing. \param own a record of extra_bytes()
+    [[nodiscard]] double own_value(Response const& response, std::string_view name,
+                                   std::span<std::byte const> own) const;
     /// Records of trials that no model has run: they say nothing. \param extra as many as it holds
     void put_defaults(std::span<std::byte> extra) const;
 

@@ -334,6 +334,22 @@ TEST(Movement, CountsFromStatedDistancesOn) {
         response.verdict = other;
         EXPECT_EQ((MovementSpec{2e-3, 2e-3}.verdict(response, body, true, pad)), other);
     }
+    // Thrown up without turning it has left the ground too; what rotation lifts the centre of gravity is no flight.
+    auto const rises = [&](double rise_m, double rotation_rad) {
+        response.verdict = Verdict::rocked;
+        response.peak_slip_m = 0;
+        response.peak_rotation_rad = rotation_rad;
+        response.effects = mask_of(Effect::contact);
+        return MovementSpec{}.verdict(response, body, true, pad, rise_m);
+    };
+    double const settled_m = g0 / std::pow(2 * pi * pad.vertical_frequency_hz, 2);
+    EXPECT_EQ(rises(1.01e-3 + settled_m, 0), Verdict::rocked);
+    EXPECT_EQ(rises(0.99e-3 + settled_m, 0), Verdict::at_rest);
+    EXPECT_EQ((MovementSpec{1e-3, 0.5}.verdict(response, body, true, pad, 0.278)), Verdict::at_rest);
+    response.peak_rotation_rad = 0.2;
+    double const by_rotation_m = 1.7 * std::sin(0.2) - 2.9 * (1 - std::cos(0.2));
+    EXPECT_EQ((MovementSpec{1e-3, 1}.verdict(response, body, true, pad, by_rotation_m + 0.99)), Verdict::at_rest);
+    EXPECT_EQ((MovementSpec{1e-3, 1}.verdict(response, body, true, pad, by_rotation_m + 1.01)), Verdict::rocked);
     response.verdict = Verdict::at_rest;
     response.peak_slip_m = response.peak_rotation_rad = 0;
     EXPECT_EQ((MovementSpec{0, 0}.verdict(response, body, true, pad)), Verdict::at_rest) << "nothing is no movement";
