@@ -34,7 +34,7 @@ Table answer_table(Answered const& of) {
     auto const percentile = [](char const* quantity, bool median) {
         return [=](Row const& row) -> std::optional<double> {
             auto const* const at = quantiles_at(*row.body, quantity, row.level);
-            if (at == nullptr || at->trials == 0) {
+            if (at == nullptr || mostly_unknown(*at)) {
                 return std::nullopt;
             }
             auto const value = (median ? at->quantiles.front() : at->quantiles.back()).value;

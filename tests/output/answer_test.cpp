@@ -8,6 +8,7 @@
 
 #include "core/outward.hpp"
 #include "core/wrapped.hpp"
+#include "output/detail/answer_cells.hpp"
 #include "output/interval_text.hpp"
 #include "output/sections.hpp"
 #include "support/campaigns.hpp"
@@ -146,6 +147,22 @@ TEST(Answer, HoldsEveryNamedLevel) {
     for (auto const& line : lines) {
         EXPECT_LE(line.size(), 100U) << line;
     }
+}
+
+// What most trials leave open has no percentile: those that are known may be the few that fell.
+TEST(Answer, APercentileOfFewKnownTrialsIsNotKnown) {
+    SampleQuantile fell;
+    fell.value = 10;
+    LevelQuantiles at;
+    at.trials = at.overturned = 1;
+    at.unknown = 29;
+    at.fallen = 10;
+    at.quantiles = {fell, fell, fell};
+    EXPECT_EQ(output::percentiles_text(&at, 1e-3, 0.1), "not known (29 of 30)");
+    at.trials = 29;
+    at.unknown = 1;
+    EXPECT_EQ(output::percentiles_text(&at, 1e-3, 0.1), "fell / fell");
+    EXPECT_EQ(output::percentiles_text(nullptr, 1e-3, 0.1), "not simulated");
 }
 
 // ends of intervals are rounded outwards; 1 - 0.025^(1/40) = 0.08810.

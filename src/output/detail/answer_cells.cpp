@@ -37,8 +37,8 @@ std::string percentiles_text(LevelQuantiles const* at, double unit, double least
     if (at == nullptr) {
         return "not simulated";
     }
-    if (at->trials == 0) {
-        return "not known";
+    if (mostly_unknown(*at)) {
+        return fmt::format("not known ({} of {})", at->unknown, at->trials + at->unknown);
     }
     auto const text = [&](double value) {
         return value >= at->fallen ? std::string("fell") : number_text(value / unit, least);

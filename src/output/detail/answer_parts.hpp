@@ -17,6 +17,11 @@ namespace overturn::output {
     return found == body.quantiles.end() ? nullptr : &*found;
 }
 
+/// Do more than half of the trials leave the response open? What the others have is then no percentile of all.
+[[nodiscard]] inline bool mostly_unknown(LevelQuantiles const& at) {
+    return at.trials == 0 || at.unknown > at.trials;
+}
+
 /// Is there a curve whose beta_U is not known? Its HCLPF is none, and the upper end of its annual frequency is open: a
 /// wider curve is passed more often.
 [[nodiscard]] inline bool lacks_beta_u(FragilityFit const& fit) { return fit.identifiable() && !fit.hclpf(); }
