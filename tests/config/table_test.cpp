@@ -52,13 +52,15 @@ TEST(Table, SyntaxErrorNamesTheLine) {
 }
 
 TEST(Table, SettingsReachIntoTablesAndLists) {
-    std::vector<std::string> const settings{"waves.count=7", "bodies.1.name=slim", "new.key=\"2 s\""};
+    std::vector<std::string> const settings{"waves.count=7", "bodies.1.name=slim", "bodies[0].name=wide",
+                                            "new.key=\"2 s\""};
 
     auto const table =
         Table::parse("[waves]\ncount = 3\n[[bodies]]\nname='a'\n[[bodies]]\nname='b'", "x.toml", settings);
 
     EXPECT_EQ(table.child("waves").integer("count", 0, 10), 7);
     EXPECT_EQ(table.children("bodies")[1].text("name"), "slim");
+    EXPECT_EQ(table.children("bodies")[0].text("name"), "wide") << "as messages name places";
     EXPECT_EQ(table.child("new").number("key", Dimension::time, Range::any()), 2);
 }
 

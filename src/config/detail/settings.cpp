@@ -1,16 +1,29 @@
 #include "config/detail/settings.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
 
 namespace overturn::config {
+namespace {
+
+// As messages name places: bodies[0].friction is bodies.0.friction.
+std::string dotted(std::string_view path) {
+    std::string text{path};
+    std::erase(text, ']');
+    std::ranges::replace(text, '[', '.');
+    return text;
+}
+
+}  // namespace
 
 void apply_setting(toml::table& document, std::string const& setting) {
     auto const equals = setting.find('=');
     validate(equals != std::string::npos && equals > 0, "--set {} (no '='). Write key.sub=value", setting);
-    std::string const path{trimmed(std::string_view(setting).substr(0, equals))};
+    auto const path = dotted(trimmed(std::string_view(setting).substr(0, equals)));
     std::string const value{trimmed(std::string_view(setting).substr(equals + 1))};
     toml::table parsed;
     try {
