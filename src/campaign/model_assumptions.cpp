@@ -31,9 +31,12 @@ bool allows_a_bed(CampaignSpec const& spec) { return allows(spec, Effect::contac
 Bears always(CampaignSpec const& /*spec*/) { return Bears::yes; }
 
 Bears where_no_second_component(CampaignSpec const& spec) {
-    bool const moves =
-        std::ranges::any_of(spec.bodies, [&](auto const& body) { return may_move_in_space(spec, body); });
-    return moves ? Bears::where_not_required : Bears::yes;
+    auto const may_move = [&](BodySpec const& body) { return may_move_in_space(spec, body); };
+    // Of a square base the second component must be strong enough to tip or slide it.
+    bool const all_move = std::ranges::all_of(spec.bodies, [&](BodySpec const& body) {
+        return may_move(body) && body.footing.base.shape != BaseShape::square;
+    });
+    return all_move ? Bears::no : std::ranges::any_of(spec.bodies, may_move) ? Bears::where_not_required : Bears::yes;
 }
 
 Bears where_no_vertical_component(CampaignSpec const& spec) {

@@ -98,12 +98,17 @@ TextGroup chances_of(CampaignSpec const& spec, BodyStatistics const& s) {
     return columns;
 }
 
+// On points, rim or disc, where these are stated; else of the rigid corners.
+double restitution_of(BodySpec const& body) {
+    return body.footing.matched ? body.footing.matched->restitution : body.body.restitution();
+}
+
 void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s,
                  std::optional<IntensityUnit> const& velocities) {
     double const limit = body.body.limit_velocity_mps();
     text += fmt::format(
         "\n{}: alpha {:.1f} deg, R {}, e {:.3f}, {}V_Ereq {}\n", body.name, body.body.alpha_rad() * 180 / pi,
-        typed_units(spec).length.text(body.body.radius_m()), body.body.restitution(),
+        typed_units(spec).length.text(body.body.radius_m()), restitution_of(body),
         body.friction
             ? fmt::format("friction {:g}/{:g}, ", body.friction->static_coefficient, body.friction->kinetic_coefficient)
             : std::string("no slip, "),

@@ -105,6 +105,7 @@ TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {
     EXPECT_EQ(bears("one-plane", plain), Bears::yes);
     EXPECT_EQ(bears("one-plane", across + levels), Bears::where_not_required);
     EXPECT_EQ(bears("one-plane", across + "axes=1\n" + levels), Bears::yes);
+    EXPECT_EQ(bears("one-plane", across + "base={shape='round'}\n" + levels), Bears::no) << "it is followed in space";
     EXPECT_EQ(bears("no-vertical-motion", plain), Bears::yes);
     EXPECT_EQ(bears("no-vertical-motion", across + levels), Bears::no);
     EXPECT_EQ(bears("rigid-ground", plain), Bears::where_not_required);
