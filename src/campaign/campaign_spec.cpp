@@ -284,7 +284,7 @@ CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     root.described_by(campaign_table);
     root.may_have(campaign_table);
     auto spec = config::with_all_faults(root, [&] { return read_campaign(root, input, files); });
-    // What is told beside a mistake must be one: whatever readers take is as described.
+    // Whatever is reported beside a mistake must be one: whatever readers take is as described.
     OVERTURN_ENSURE(input.before_format_5 || root.faults().empty());
     return spec;
 }

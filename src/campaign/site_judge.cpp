@@ -120,7 +120,7 @@ SiteJudge::OfModel const* SiteJudge::model_of(Trial const& trial) const {
     return model == models_.end() || trial.extra.empty() ? nullptr : &*model;
 }
 
-// A file made before planar models told the way of the edge has the slip alone.
+// A file made before planar models stored the path of the edge has the slip alone.
 SiteJudge::PerSide SiteJudge::base_ways(Trial const& trial) const {
     double const slip_m = trial.row.peak_slip_m;
     auto const* const model = model_of(trial);

@@ -1,4 +1,4 @@
-// Requirement R-305: where parts stand on parts, statics tells at which acceleration they tip or slide there.
+// Requirement R-305: where parts stand on parts, statics shows at which acceleration they tip or slide there.
 #include "body/joints.hpp"
 
 #include <cstddef>

@@ -151,7 +151,7 @@ TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {
     EXPECT_EQ(bears("independent-components", across + levels), Bears::yes);
 }
 
-/// Every line is whole, and no effect is told without the study that found it.
+/// Every line is whole, and no effect is reported without the study that found it.
 TEST(Assumptions, AreListedInFull) {
     std::set<std::string_view> names;
     for (auto const& one : model_assumptions()) {

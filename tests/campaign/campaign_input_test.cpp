@@ -1,4 +1,4 @@
-// Requirement R-1103, R-1005: a campaign travels and is stored whole, and a change is told by the key it is in.
+// Requirement R-1103, R-1005: a campaign travels and is stored whole, and a change is reported by the key it is in.
 #include "campaign/campaign_input.hpp"
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Requirement R-506: effects that no model holds together are refused where they are stated, and told where auto meets
-// them; so is friction that stated effects ignore.
+// Requirement R-506: effects that no model holds together are refused where they are stated, and reported where auto
+// meets them; so is friction that stated effects ignore.
 #include <algorithm>
 #include <array>
 

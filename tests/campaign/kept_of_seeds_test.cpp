@@ -1,4 +1,4 @@
-// Requirement R-108: what a match takes of a seed's PGV and of its Sa over a body's periods is told from 5 % on.
+// Requirement R-108: what a match takes of a seed's PGV and of its Sa over a body's periods is reported from 5 % on.
 #include "campaign/detail/kept_of_seeds.hpp"
 
 #include <array>

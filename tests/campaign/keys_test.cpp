@@ -69,7 +69,7 @@ TEST(Keys, EveryDescribedKeyIsRead) {
     EXPECT_GT(read.size(), 150U);
 }
 
-// Requirement: every source of waves has keys of its own, told apart by its name.
+// Requirement: every source of waves has keys of its own, distinguished by its name.
 TEST(Keys, EverySourceHasItsTable) {
     for (auto const& entry : wave_sources()) {
         EXPECT_EQ(entry.value.keys->chosen_by, "source") << entry.name;

@@ -227,7 +227,7 @@ TEST(LimitState, QuantitiesOfAModelCallForIt) {
     EXPECT_EQ(with_limits(touches).effects.include, 0U) << "auto calls for sliding by itself";
 }
 
-/// With such a limit every trial is simulated on points, those at rest too, and every one of them tells.
+/// With such a limit every trial is simulated on points, those at rest too, and every one of them has the quantity.
 TEST(LimitState, EveryTrialHasTheQuantitiesOfALimit) {
     auto const spec = with_limits("[[limits]]\nname='pressed'\nquantity='peak_contact_force_ratio'\nabove=1.2\n");
     Plan const plan(spec);

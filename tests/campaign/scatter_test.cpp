@@ -167,7 +167,7 @@ TEST(BodyScatter, LatinHypercubeSteadiesTheMean) {
     EXPECT_NEAR(spread(Sampling::latin_hypercube), 1 / (std::sqrt(12.0 * count) * count), 0.25 / (28 * 64));
 }
 
-// Property: whatever the quantity, its score tells how far out the draw lies in standard deviations, at any scale.
+// Property: whatever the quantity, its score states how far out the draw lies in standard deviations, at any scale.
 TEST(BodyScatter, ScoresAreStandardNormal) {
     auto const spec = body_of(
         "base_width='3.4 m'\ninertia='200000 kg m2'\nsimilarity={direction='to-model'}\n"

@@ -103,7 +103,7 @@ TEST(Site, CornersThatDifferTurnEachByItsOwn) {
 }
 
 // the other cask is another body of the campaign: it comes as its own trial says, and no farther.
-TEST(Site, TheOtherCaskMovesAsItsOwnTrialSays) {
+TEST(Site, TheOtherCaskMovesAsInItsTrial) {
     std::string const bodies = slides + "[[bodies]]\nname='low'\nmass='9 t'\nbase_width='1.2 m'\ncentre_height='0.5 m'\n"
                                         "inertia='uniform-block'\nfriction=0.4\n";
     Judged const judged("cask='1 m'\ncask_body='low'\n", bodies);

@@ -1,4 +1,4 @@
-// Requirement R-904: what can only be a slip is refused where a campaign is to be run, or is a line that tells what to
+// Requirement R-904: what can only be a slip is refused where a campaign is to be run, or is a line that states what to
 // look at; what is sound is not doubted.
 #include "campaign/detail/unsound.hpp"
 

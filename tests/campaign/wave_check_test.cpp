@@ -1,5 +1,5 @@
 // Requirement R-106, R-1104: a wave that misses its acceptance rule is never used: its trials are failed rows with that
-// reason, and everybody is told how many there are. How right a wave is, is stored where each body rocks.
+// reason, and every output states how many there are. How right a wave is, is stored where each body rocks.
 #include "campaign/wave_check.hpp"
 
 #include <cmath>
@@ -115,7 +115,7 @@ TEST(WaveCheck, BandIsThatOfTheBody) {
     EXPECT_TRUE(testing::near(check.clauses[check.clauses.size() - 2].figure, sum / count, testing::exact_formula));
 }
 
-// A body that rocks at longer periods than its waves are matched to cannot be judged, and is told so at once.
+// A body that rocks at longer periods than its waves are matched to cannot be judged, and is refused at once.
 TEST(WaveCheck, RefusesABodyBeyondTheTarget) {
     auto const big =
         "[[bodies]]\nname='tower'\nmass='900 t'\nbase_width='6 m'\ncentre_height='9 m'\n"

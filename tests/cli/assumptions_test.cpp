@@ -1,4 +1,4 @@
-// Requirement R-906: what is assumed is told by list, plan, fit and report, and cost says what it decides.
+// Requirement R-906: what is assumed is reported by list, plan, fit and report, and cost says what it decides.
 #include <string>
 
 #include <nlohmann/json.hpp>

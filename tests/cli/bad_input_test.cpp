@@ -1,5 +1,5 @@
 // Requirement R-902: bad input is refused with exit code 2 and one line on stderr for each fault, `file:line:col:
-// problem (why) what to do`, told by one rank, before any work.
+// problem (why) what to do`, reported by one rank, before any work.
 #include <algorithm>
 #include <string>
 
@@ -76,7 +76,7 @@ TEST_F(BadInput, ImpossibleValues) {
     refuse("title = 'small'", "title = small", "not valid TOML");
 }
 
-// all that is missing, unknown or of another type is told in one run, a line each.
+// all that is missing, unknown or of another type is reported in one run, a line each.
 TEST_F(BadInput, AllFaultsAreReportedAtOnce) {
     folder.write("b.toml", "name='c'\nmass='5 t'\ncolour='red'\n");
     folder.write("c.toml",

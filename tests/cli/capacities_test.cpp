@@ -43,7 +43,7 @@ TEST_F(Capacities, OfThePublishedExample) {
     EXPECT_TRUE(answer["capacities"]["moments_median"].is_null());
 }
 
-TEST_F(Capacities, AColumnOfVerdictsSaysTheSame) {
+TEST_F(Capacities, AColumnOfVerdictsGivesTheSame) {
     folder.write("c.csv", "record;collapsed;pga [g]\nA;1;0.7\nB;1;0.9\nC;0;1.3\nD;1;1.1\n");
     auto const by_column = overturn(folder, {"fit", "--capacities", "c.csv", "--json"});
     for (auto const* measure :

@@ -1,4 +1,4 @@
-// Requirement R-1105: a disk that fails is told in one line with exit code 1, and everything committed stays good.
+// Requirement R-1105: a disk that fails is reported in one line with exit code 1, and everything committed stays good.
 #include <sys/mount.h>
 
 #include "cli/campaign_files.hpp"

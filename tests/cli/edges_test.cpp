@@ -273,7 +273,7 @@ TEST_F(Edges, ARankThatIsAloneAmongOthersIsReported) {
     expect_refused(ended, "PMI_SIZE states 4 ranks");
     EXPECT_NE(ended.err.find("Start it with the mpirun of Open MPI"), std::string::npos) << ended.err;
     EXPECT_EQ(shell("PMI_SIZE=4 PMI_RANK=3 " OVERTURN_PROGRAM " run c.toml").err, "");
-    // Slurm's step of three, of which nothing tells MPI.
+    // Slurm's step of three, of which MPI is not informed.
     auto const step = shell("SLURM_STEP_NUM_TASKS=3 SLURM_PROCID=0 " OVERTURN_PROGRAM " run c.toml");
     expect_refused(step, "SLURM_STEP_NUM_TASKS states 3 ranks");
     EXPECT_NE(step.err.find("Start it with mpirun"), std::string::npos) << step.err;

@@ -78,7 +78,7 @@ TEST_F(Fit, TablesOfOthersAreRead) {
     refuse("IM,amplitude,trials,overturned\n1,1,54,2\n", "twice");
 }
 
-// text round the table states the unit, contradicts the header, or is told.
+// text round the table states the unit, contradicts the header, or is reported.
 TEST_F(Fit, TextRoundATableIsAccountedFor) {
     std::string const rows = "1,54,2\n1.5,54,25\n2,54,43\n";
     auto const told = table("Stripes of Smith\n# intensities in g\nIM,num_gms,num_collapse\n" + rows + "# the end\n");

@@ -1,5 +1,5 @@
 // Requirement R-1003: a version of the format names one set of columns, files of it stay readable for ever, and whose
-// curves fit tells is said.
+// curves that fit gives is reported.
 #include <cstdlib>
 #include <numeric>
 
@@ -258,7 +258,7 @@ TEST_F(Format, AProgramWithMoreIsRead) {
     EXPECT_NE(verified.out.find("0 waves differ"), std::string::npos) << verified.out;
 }
 
-// R-1003: what a file does not have is unknown; only what tells trials apart and how they ended has to be there.
+// R-1003: what a file does not have is unknown; only what distinguishes trials and how they ended has to be there.
 TEST_F(Format, AFileWithFewerColumnsIsRead) {
     if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
@@ -359,7 +359,7 @@ TEST_F(Format, TheProgramOfTheCurvesIsReported) {
         << limits.err;
 }
 
-// R-1103: Outside git the revision tells nobody apart; the sources do.
+// R-1103: Outside git the revision distinguishes no programs; the sources do.
 TEST(Program, IsIdentifiedByItsSources) {
     EXPECT_EQ(sources_sha256().size(), 64U);
     EXPECT_EQ(sources_sha256().find_first_not_of("0123456789abcdef"), std::string::npos);
@@ -384,7 +384,7 @@ TEST_F(Format, TheTimesSayOnWhatTheyWereTaken) {
     }
 }
 
-/// Legs that were told to leave are told of, too.
+/// Segments of a run that stopped early are reported, too.
 TEST_F(Format, EverySegmentIsReported) {
     folder.write("target.csv", target_csv);
     folder.write("c.toml", small_campaign("shared", 12));

@@ -1,6 +1,6 @@
 // Requirement R-704: waves that are a grid of frequencies are no sample: no curve, no probability and no quantile is
-// told of them, but the least level that lifts a body off and overturns it, frequency by frequency, the same in every
-// answer.
+// reported for them, but the least level that lifts a body off and overturns it, frequency by frequency, the same in
+// every answer.
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -160,7 +160,7 @@ TEST_F(Grid, FileHoldsTheMapAndNoNumberOfACurve) {
 }
 
 // What was not reached is null, not the highest level.
-TEST_F(Grid, SaysWhereNothingOverturned) {
+TEST_F(Grid, ReportsWhereNothingOverturned) {
     folder.write("c.toml", campaign());
     auto const levels = fmt::format("levels.values=[{}, {}]", 0.5 * alpha * gravity, 1.1 * alpha * gravity);
     auto const text = overturn(folder, {"run", "c.toml", "-o", "c.h5", "--set", levels}).out;
@@ -180,7 +180,7 @@ TEST_F(Grid, RefusesToEndOncePrecise) {
     EXPECT_TRUE(is_one_error_line(refused.err.substr(refused.err.find("overturn: "))));
 }
 
-// What accuracy costs is told without an interval of P(overturn).
+// What accuracy costs is reported without an interval of P(overturn).
 TEST_F(Grid, HasNoCostOfSampling) {
     folder.write("c.toml", campaign());
     auto const text = overturn(folder, {"cost", "c.toml", "--waves", "2", "-o", "cost.h5"}).out;

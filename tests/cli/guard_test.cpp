@@ -193,7 +193,7 @@ TEST_F(Guard, EmptyWishesAreNoWishes) {
     EXPECT_FALSE(folder.has("c.h5.parts"));
 }
 
-/// Two studies told apart by what follows a dot do not share a file.
+/// Two studies distinguished by what follows a dot do not share a file.
 TEST_F(Guard, NamesWithDotsAreWholeNames) {
     folder.write("study.0.2.toml", small_campaign("shared", 1));
     EXPECT_EQ(overturn(folder, {"run", "study.0.2.toml"}).code, 0);

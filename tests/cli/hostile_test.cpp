@@ -1,5 +1,5 @@
 // Requirement R-1106: absurd sizes are refused before memory is touched, any path is taken, and a file from the future
-// is told from a damaged one.
+// is distinguished from a damaged one.
 #include <sys/resource.h>
 
 #include "cli/campaign_files.hpp"

@@ -1,4 +1,4 @@
-// Requirement R-909: the program tells every key that a campaign may state, as text, as a page and as a schema for
+// Requirement R-909: the program lists every key that a campaign may state, as text, as a page and as a schema for
 // editors.
 #include <algorithm>
 #include <fstream>

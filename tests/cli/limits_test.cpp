@@ -187,7 +187,7 @@ TEST_F(Limits, ReportShowsThem) {
     EXPECT_TRUE(folder.has("figures/peak-slip-type-a.svg"));
 }
 
-/// Of what only contact knows, fit recounts what the run counted, and every trial tells.
+/// Of what only contact knows, fit recounts what the run counted, and every trial has it.
 TEST_F(Limits, OfAModelsOwnQuantitiesAreRecounted) {
     folder.write("p.toml", small_campaign("shared", 4)
                                + "[[limits]]\nname='pressed'\nquantity='peak_contact_force_ratio'\nabove=1.5\n");

@@ -182,7 +182,7 @@ TEST_F(New, RefusesWhatCannotBe) {
 }
 
 // Without a terminal nothing is asked.
-TEST_F(New, SaysAllThatIsMissing) {
+TEST_F(New, ListsAllThatIsMissing) {
     expect_refused(
         {}, "new: --mass, --centre-height, --base-width, --spectrum or --records, --design-basis missing (required");
     expect_refused(joined(cask, {"--spectrum", "target.csv", "--design-basis", "600 gal"}),

@@ -95,7 +95,7 @@ TEST_F(Outcomes, FalseSafeTestsAreCountedNamedAndDrawn) {
     EXPECT_NE(wrong.find(fmt::format("\n{},,m{},", wave, wave / 4)), std::string::npos) << wrong;
 }
 
-// The control of the test above: where nothing is wrong nothing is told to be.
+// The control of the test above: where nothing is wrong nothing is reported to be.
 TEST_F(Outcomes, APerfectPredictionHasNoFalseSafe) {
     write_outcomes(0);
     auto const text = page();
@@ -136,7 +136,7 @@ TEST_F(Outcomes, SeveralBodiesVoteAndUntestedWavesAreLeftOut) {
     EXPECT_NE(text.find("2 bodies stand for it"), std::string::npos);
 }
 
-TEST_F(Outcomes, EachWrongTableIsOneLineThatSaysWhatToDo) {
+TEST_F(Outcomes, EachWrongTableIsOneLineWithWhatToDo) {
     struct Wrong {
         std::string table, said;
     };

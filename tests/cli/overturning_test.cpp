@@ -78,7 +78,7 @@ TEST_F(Overturning, PulsesJumpWhereTheyDo) {
 }
 
 // A file's friction, base and pad are not in the spectrum, which says so; a base's own restitution is.
-TEST_F(Overturning, WhatItLeavesOutOfABodyIsSaid) {
+TEST_F(Overturning, WhatItLeavesOutOfABodyIsReported) {
     std::string const body =
         "name='b'\nmass='12.6 t'\nbase_width='1.36 m'\ncentre_height='1.045 m'\n"
         "inertia='uniform-block'\n";

@@ -129,7 +129,7 @@ TEST_F(CalculationPackage, RecordsAreListedWithWhatTheySay) {
     EXPECT_EQ(rows[3].at("result"), "not run");
 }
 
-TEST_F(CalculationPackage, VerificationThatFailsSaysSo) {
+TEST_F(CalculationPackage, AVerificationThatFailsIsReported) {
     auto record = json::parse(folder->read("v.json"));
     record["passed"] = false;
     record["differing_trials"] = 3;
@@ -225,7 +225,7 @@ TEST_F(CalculationPackage, DrawsWhatHappensAtTheDesignBasis) {
 }
 
 // Prose is the program's: how it was computed and what not; a calculation by hand stands beside the simulation.
-TEST_F(CalculationPackage, SaysHowItWasComputedAndChecksByHand) {
+TEST_F(CalculationPackage, StatesTheMethodAndTheHandCalculation) {
     auto const data = data_of();
     EXPECT_GE(data.at("method_lines").size(), 4U);
     EXPECT_EQ(data.at("hand_check_lines").size(), 4U);  // the method, what it leaves out, two bodies

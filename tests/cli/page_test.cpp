@@ -71,7 +71,7 @@ class Page : public ::testing::Test {
     Ended said;
 };
 
-TEST_F(Page, SaysWhatRanOfACampaignThatEndedEarly) {
+TEST_F(Page, ReportsWhatRanOfACampaignThatEndedEarly) {
     run(quick_campaign("[statistics]\ntarget_half_width=0.45\n"));
     auto const facts = data_of({"report", "c.h5", "-o"}, "c.html").at("facts");
     json told;
@@ -99,7 +99,7 @@ TEST_F(Page, DrawsABodyFromItsParts) {
 }
 
 //
-TEST_F(Page, SaysHowABodyStandsThatIsNotStraight) {
+TEST_F(Page, StatesHowABodyStandsThatIsNotStraight) {
     run(quick_campaign(), {"--set", "bodies.1.slope=\"1 deg\"", "--set", "bodies.1.initial_tilt=\"-2 deg\""});
     auto const lines = data_of({"report", "c.h5", "-o"}, "page.html").at("placements");
     ASSERT_EQ(lines.size(), 1U);  // the cask stands straight

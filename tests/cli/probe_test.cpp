@@ -1,4 +1,5 @@
-// Requirement R-904: before a run, what it will cost is told from a few of its waves, spread over the campaign.
+// Requirement R-904: before a run, what it will cost is estimated from a few of its waves, spread over the
+// campaign.
 #include "runner/probe.hpp"
 
 #include <numeric>

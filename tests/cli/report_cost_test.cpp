@@ -1,4 +1,4 @@
-// Requirement R-1003: the page tells what a run took, of files of times that older programs wrote too.
+// Requirement R-1003: the page states what a run took, of files of times that older programs wrote too.
 #include "cli/report_cost.hpp"
 
 #include <fstream>

@@ -141,7 +141,7 @@ TEST_F(Report, WritesFiguresAndTablesBesideIt) {
     EXPECT_TRUE(there("some figures/here/fragility.csv"));
 }
 
-// with a hazard curve the page tells annual frequencies, those of `fit`, the interval first.
+// with a hazard curve the page states annual frequencies, those of `fit`, the interval first.
 TEST_F(Report, ShowsAnnualFrequenciesByAHazardCurve) {
     skip_without_packages();
     if (IsSkipped()) {
@@ -195,7 +195,7 @@ TEST_F(Report, DrawsAnyName) {
     EXPECT_NE(page.find("90 %"), std::string::npos);
 }
 
-// trials worth a look are told with their numbers by fit and on the page, and replay finds them by these.
+// trials to inspect are listed with their numbers by fit and on the page, and replay finds them by these.
 TEST_F(Report, ShowsTrialsToInspect) {
     auto const text = overturn(*folder, {"fit", "c.h5", "--section", "trials"}).out;
     EXPECT_NE(text.find("trials to inspect (overturn replay c.h5 --trial N)"), std::string::npos) << text;
@@ -216,7 +216,7 @@ TEST_F(Report, ShowsTrialsToInspect) {
     EXPECT_TRUE(kinds.contains("largest-slip"));
 }
 
-TEST_F(Report, SaysWhatToInstallWherePythonIsMissing) {
+TEST_F(Report, StatesWhatToInstallWherePythonIsMissing) {
     ::setenv("OVERTURN_PYTHON", "/nonexistent/python3", 1);
     auto const ended = overturn(*folder, {"report", "c.h5", "-o", "d.html"});
     EXPECT_EQ(ended.code, 1);

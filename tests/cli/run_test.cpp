@@ -154,7 +154,7 @@ TEST_F(Run, ReplayFromTheFileAlone) {
 
 // R-107, R-1005: components of a station are used when asked for, named by the run, carried in the file and replayed
 // from it alone.
-TEST_F(Run, SaysWhichFilesOfAStationItUsed) {
+TEST_F(Run, ListsTheFilesOfAStation) {
     auto const at2 = [](std::string const& component, std::string const& peak) {
         std::string text = "PEER\nSomewhere, 1/16/1995, A-B, " + component
                            + "\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 200, DT= .02 SEC\n";
@@ -183,7 +183,7 @@ TEST_F(Run, SaysWhichFilesOfAStationItUsed) {
     EXPECT_NE(replayed.out.find("bit-equal"), std::string::npos) << replayed.out;
 }
 
-// R-1005: a row that is not what the program computes is told, with exit code 1.
+// R-1005: a row that is not what the program computes is reported, with exit code 1.
 TEST_F(Run, ATamperedRowIsFound) {
     if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to tamper with (install python3-h5py)";

@@ -1,5 +1,5 @@
-// Requirement R-919: scripts and schedulers learn from a run what people do: how far it is, what it told, what it has
-// found so far, what it will take, and by its exit code whether it can go on.
+// Requirement R-919: scripts and schedulers learn from a run what people do: how far it is, what it reported, what it
+// has found so far, what it will take, and by its exit code whether it can go on.
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -151,7 +151,7 @@ TEST_F(Scripts, ASignalThatMpirunHandsOnEndsWithThree) {
     EXPECT_NE(ended.err.find("stopped early: "), std::string::npos) << ended.err;
 }
 
-// R-1102: a batch job's end, where the batch system tells it, is a limit as --max-walltime is.
+// R-1102: a batch job's end, where the batch system states it, is a limit as --max-walltime is.
 TEST_F(Scripts, ABatchJobsEndIsALimit) {
     write(100'000);
     auto const run = [&](std::string const& end) {

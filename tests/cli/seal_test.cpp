@@ -100,7 +100,7 @@ TEST_F(SealedFile, EveryReaderLooks) {
     EXPECT_NE(replayed.out.find("NOT bit-equal to the stored row: v_wes differ"), std::string::npos) << replayed.out;
 }
 
-/// A seal can be made anew; the digests inside tell all the same, and whoever reads what was edited is told so.
+/// A seal can be made anew; the digests inside show it all the same, and whoever reads what was edited gets a warning.
 TEST_F(SealedFile, ASealMadeAnewDoesNotHide) {
     if (!has_python(folder, "h5py")) {
         GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
@@ -169,7 +169,7 @@ TEST_F(SealedFile, ExchangedColumnsAndLinksAreRefused) {
     EXPECT_FALSE(folder.has("tables"));
 }
 
-TEST_F(SealedFile, ItsPageSaysThatItWasEdited) {
+TEST_F(SealedFile, ItsPageStatesThatItWasEdited) {
     if (!has_python(folder, "h5py") || !has_python(folder, "matplotlib")) {
         GTEST_SKIP() << "nothing to draw with (install python3-h5py python3-matplotlib)";
     }

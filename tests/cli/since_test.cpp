@@ -1,5 +1,5 @@
-// Requirement R-1003: which format a column came with is told on the page of columns, and is so of the files kept from
-// then.
+// Requirement R-1003: which format a column came with is reported on the page of columns, and is so of the files kept
+// from then.
 #include <map>
 #include <set>
 #include <sstream>

@@ -1,4 +1,4 @@
-// Requirement R-701: fit tells of several bodies under one wave how likely any falls and whether they fall together,
+// Requirement R-701: fit states for several bodies under one wave how likely any falls and whether they fall together,
 // and fits a curve over two measures where it is asked to.
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-// Requirement R-702: a table of single trials is told from one of counts by its rows where a name may be either, and
-// what counts those that stood is no count of those that fell.
+// Requirement R-702: a table of single trials is distinguished from one of counts by its rows where a name may be
+// either, and what counts those that stood is no count of those that fell.
 #include <string>
 
 #include <fmt/format.h>

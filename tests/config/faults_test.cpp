@@ -1,4 +1,4 @@
-// Requirement R-901: all that is wrong with a file is told at once, each with its place.
+// Requirement R-901: all that is wrong with a file is reported at once, each with its place.
 #include "config/faults.hpp"
 
 #include <string>

@@ -72,7 +72,7 @@ TEST(Key, WhatIsReadOtherwiseThanDescribedIsRefused) {
 #endif
 }
 
-TEST(Key, ReferenceSaysWhereTablesStandAndWhatKeysTake) {
+TEST(Key, ReferenceListsPlacesOfTablesAndTypesOfKeys) {
     auto const tables = tables_within(outer_table);
 
     ASSERT_EQ(tables.size(), 2U);

@@ -57,7 +57,7 @@ TEST(Knobs, StandWhereTheDefaultsDo) {
     EXPECT_EQ(knob_named(knobs, "match_tolerance"), nullptr) << "these waves are left as drawn";
 }
 
-TEST(Knobs, StandWhereTheCampaignSays) {
+TEST(Knobs, StandWhereTheCampaignStates) {
     auto const matched = text.substr(0, text.find("match='none'")) + "match='each'\nmatch_tolerance=0.07\n"
                          + text.substr(text.find("[waves.target]"));
     auto const knobs = knobs_from(matched

@@ -1,5 +1,5 @@
-// Requirement R-906: what an assumed number does to a probability is told under the same waves, with what chance makes
-// of nothing beside it; a number without influence is seen to have none.
+// Requirement R-906: what an assumed number does to a probability is reported under the same waves, with what chance
+// makes of nothing beside it; a number without influence is seen to have none.
 #include "cost/sensitivity.hpp"
 
 #include <algorithm>
@@ -113,7 +113,8 @@ TEST_F(SensitivityOfUplift, MovesTheMedianAsTheThreshold) {
     EXPECT_LT(told.find("Largest effect: bodies[0]."), told.find("Each assumed value")) << told;
 }
 
-/// of two waves to a target one that moves alone may not be told from chance as two of their own could.
+/// of two waves to a target one that moves alone may not be distinguishable from chance as two of their own
+/// could.
 TEST_F(SensitivityOfUplift, CountsTargetsWhereWavesShareThem) {
     auto varying = text;
     varying.replace(varying.find("match='none'"), 12, "match='each'\nmatch_tolerance=0.3");
@@ -141,7 +142,7 @@ TEST_F(SensitivityOfUplift, MassHasNone) {
     EXPECT_NE(sensitivity_text(study()).find("No verdict changes with: bodies[0].mass.\n"), std::string::npos);
 }
 
-/// What moves the median most comes first, and every end is told as it would be written.
+/// What moves the median most comes first, and every end is reported as it would be written.
 TEST_F(SensitivityOfUplift, IsReportedWithItsSize) {
     auto const json = output::json_of(sensitivity_tables(study()));
     std::vector<double> moves;

@@ -1,5 +1,5 @@
-// Requirement R-904: a study tells a coarse setting from a fine one on real waves, repeats in all but times, and is
-// read back from its file as it was.
+// Requirement R-904: a study distinguishes a coarse setting from a fine one on real waves, repeats in all but times,
+// and is read back from its file as it was.
 #include "cost/study.hpp"
 
 #include <cmath>
@@ -206,7 +206,7 @@ TEST_F(StudyOfThree, RepeatsInAllButTimes) {
 }
 
 //
-TEST_F(StudyOfThree, TellsOfBasesWithoutPoints) {
+TEST_F(StudyOfThree, ReportsBasesWithoutPoints) {
     constexpr auto told = "there is no number of points to vary";
     EXPECT_EQ(study_text(study()).find(told), std::string::npos);
     auto const round =

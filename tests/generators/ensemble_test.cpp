@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Targets, Ensemble,
                          [](auto const& one) { return "target_" + std::to_string(one.index); });
 
 // Where the median cannot meet the target, the source says so.
-TEST(Ensemble, SaysHowWellItsMedianFits) {
+TEST(Ensemble, StatesHowWellItsMedianFits) {
     auto const text = testing::source_of(keys("rg-1.60"))->text();
     EXPECT_NE(text.find("matched in the median (to "), std::string::npos) << text;
     EXPECT_NE(text.find(" % at 0.03"), std::string::npos) << text;

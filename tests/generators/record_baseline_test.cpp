@@ -209,7 +209,7 @@ TEST(RecordBaseline, WaveKnowsHowItEnds) {
     EXPECT_LT(std::abs(mean->drift(0)->end_velocity_mps), 0.002);
 }
 
-// the drift of the other components is told too.
+// the drift of the other components is reported too.
 TEST(Drift, IsLookedForInEveryComponent) {
     auto motion = shaken([](double) { return 0.0; });
     EXPECT_FALSE(drift_of(motion).any_excessive());

@@ -131,8 +131,8 @@ TEST(TargetVariability, TargetsOfAnEventShareItsPart) {
     EXPECT_NEAR((sum - first * second) / squares, share, 4 * error_of(share, events));
 }
 
-// What is told of the parts makes up what is told of the whole, at every period; each is standard normal, and apart
-// from the other, within four standard errors.
+// What is stated for the parts adds up to what is stated for the whole, at every period; each is standard normal, and
+// apart from the other, within four standard errors.
 TEST(TargetVariability, PartsMakeUpTheWhole) {
     auto const varies = read(
         "between = 0.4\nwithin = [['0.1 s', 0.3], ['10 s', 0.7]]\ntargets_per_event = 2\n"

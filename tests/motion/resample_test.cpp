@@ -42,7 +42,7 @@ TEST(Resample, DividedStepsKeepTheSameFunction) {
     EXPECT_TRUE(near(finer.back(), displacement.back(), exact_formula));
 }
 
-TEST(Resample, OtherStepsCutCornersAndSaySo) {
+TEST(Resample, OtherStepsCutCornersAndAreReported) {
     GroundMotion triangle;
     triangle.time_step_s = 0.02;
     triangle.horizontal_mps2 = {0, 1, 0, 0};

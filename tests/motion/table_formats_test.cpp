@@ -287,7 +287,7 @@ TEST(TableFormats, EarthScopeStatesItsUnit) {
     refuse(list_of(""), "unit missing");
 }
 
-// a count and a step in either order are told apart, and neither is taken for a value.
+// a count and a step in either order are distinguished, and neither is taken for a value.
 TEST(TableFormats, AStepAndACountThatFitNothingAreRefused) {
     RecordRequest const stated{.name = "f", .unit_mps2 = 1, .time_step_s = 0.01};
     refuse("a name\n0.0100 4\n-2\n4\n-3\n", "f:2: 4 and 0.01 above 3 values", stated);

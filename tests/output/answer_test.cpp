@@ -187,7 +187,7 @@ TEST(Answer, RoundsToTheSafeSide) {
 }
 
 // a limit that a fall does not pass says so in every line of the answer, whole where a long name is shortened.
-TEST(Answer, SaysWithoutOverturning) {
+TEST(Answer, StatesWithoutOverturning) {
     std::string const limits =
         "design_basis='600 gal'\n[[limits]]\nname='{}'\nquantity='peak_slip'\nabove='20 mm'\n"
         "overturned='excluded'\n";

@@ -8,7 +8,7 @@ namespace {
 
 using output::progress_text;
 
-TEST(StatusText, AWholeRunSaysWhetherItEndedEarlyOrWasChanged) {
+TEST(StatusText, AWholeRunReportsWhetherItEndedEarlyOrWasChanged) {
     EXPECT_EQ(output::complete_text({.title = "t", .trials = 24, .waves = 4, .planned = 4}),
               "complete, 24 trials of 't'");
     EXPECT_EQ(output::complete_text({.title = "t", .trials = 24, .waves = 4, .planned = 8, .waves_text = "4 waves"}),
@@ -17,7 +17,7 @@ TEST(StatusText, AWholeRunSaysWhetherItEndedEarlyOrWasChanged) {
               "complete but edited or damaged, 1 trials of 't'");
 }
 
-TEST(StatusText, ARunThatDidNotEndSaysWhatIsLeftAndHowToGoOn) {
+TEST(StatusText, ARunThatDidNotEndReportsWhatIsLeftAndHowToGoOn) {
     EXPECT_EQ(progress_text({.done = 3, .left = 5, .all = 8, .waves_left = "24 to 63", .next = "overturn run c.toml"}),
               "not complete, 3 of 8 blocks are done, 5 left (waves 24 to 63). Go on with: overturn run c.toml");
     EXPECT_EQ(progress_text({.done = 3, .left = 5, .waves_left = "24 to 63", .rare = true, .next = "x"}),
@@ -30,7 +30,7 @@ TEST(StatusText, ARunThatDidNotEndSaysWhatIsLeftAndHowToGoOn) {
               "not complete, 3 of 8 blocks are done, 5 left; a run is under way");
 }
 
-TEST(StatusText, AnExtensionSaysWhatIsDoneAndWhatIsLeft) {
+TEST(StatusText, AnExtensionReportsWhatIsDoneAndWhatIsLeft) {
     EXPECT_EQ(output::extension_text(
                   64, 2, 3, progress_text({.done = 3, .left = 5, .all = 8, .waves_left = "24 to 63", .next = "x"})),
               "an extension to 64 waves, 2 bodies and 3 levels is not complete, 3 of 8 blocks are done, 5 left (waves "

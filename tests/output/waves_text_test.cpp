@@ -1,5 +1,5 @@
-// Requirement: everybody is told how many waves missed their rule, which of its clauses, and how much the
-// waves differ beside what was stated.
+// Requirement: every output states how many waves missed their rule, which of its clauses, and how much
+// the waves differ beside what was stated.
 #include "output/waves_text.hpp"
 
 #include <gtest/gtest.h>

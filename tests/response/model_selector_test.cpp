@@ -257,7 +257,7 @@ TEST(ModelSelector, GoesOnToAModelThatHoldsAllThatIsCalledFor) {
 }
 
 // A model that cannot slide never takes a trial that slips; the slip stays, and what is left out is said.
-TEST(ModelSelector, LeavesOutWhatNoModelHoldsTogether) {
+TEST(ModelSelector, LeavesOutWhatNoModelSupportsTogether) {
     Many const many;
     auto const plain = answers_of(without_crush(), many.trials());
     auto const answers = answers_of(with_crush<without_sliding>(), many.trials());
@@ -286,7 +286,7 @@ TEST(ModelSelector, LeavesOutWhatNoModelHoldsTogether) {
 }
 
 // A body on a bed of its own, and something else of it that the model of beds does not hold: said before anything runs.
-TEST(ModelSelector, SaysWhatASceneCallsForAndNoModelHoldsTogether) {
+TEST(ModelSelector, ReportsRequiredEffectsThatNoModelSupportsTogether) {
     static std::array const entries{models()[0], models()[1], tied_entry(), models()[2]};
     Footing flat;
     flat.base.corner_share.reset();
@@ -315,7 +315,7 @@ TEST(ModelSelector, SaysWhatASceneCallsForAndNoModelHoldsTogether) {
 }
 
 // An effect that is forced on a body that cannot have it is no effect.
-TEST(ModelSelector, SaysWhichForcedEffectsABodyCannotHave) {
+TEST(ModelSelector, ReportsForcedEffectsThatABodyCannotHave) {
     auto const impossible = [](EffectMask forced, RigidBody const& of, std::optional<Friction> friction) {
         return ModelSelector({EffectMode::forced, forced}).impossible({of, friction});
     };
@@ -332,7 +332,7 @@ TEST(ModelSelector, SaysWhichForcedEffectsABodyCannotHave) {
     EXPECT_EQ(ModelSelector(EffectRequest{}).impossible({reed, std::nullopt}), 0U);
 }
 
-TEST(ModelSelector, CountsTrialsAndSecondsOnTheRungsThatTheyEndedOn) {
+TEST(ModelSelector, CountsTrialsAndSecondsOfTheModelsThatEndedThem) {
     Many const many;
     auto const answers = answers_of(with_crush<all>(), many.trials());
     std::array<std::int64_t, 4> trials{};

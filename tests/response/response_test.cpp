@@ -64,7 +64,7 @@ void expect_same_bits(Response one, Response const& other) {
 
 double const rocking_scale = peak_scaled_to(3.2);
 
-TEST(Response, NoneIgnoresTheVerticalButSaysItWasCalledFor) {
+TEST(Response, NoneIgnoresTheVerticalButReportsThatItWasRequired) {
     auto const plain = trial(wave(false), {.effects = none}, rocking_scale);
     auto const ignoring = trial(wave(true), {.effects = none}, rocking_scale);
 

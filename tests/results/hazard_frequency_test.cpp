@@ -240,7 +240,7 @@ TEST_F(Frequency, IsThatOfTheCurveAndWithinTheStripes) {
 }
 
 // Motions below uplift move nothing: how far down the user's table goes changes no bound, and where no such level is
-// known the part of what is weaker than all levels is told.
+// known the part of what is weaker than all levels is reported.
 TEST_F(Frequency, WeakMotionsOfTheTableAreNoRisk) {
     HazardCurve const from_uplift({{0.5, 1e-2}, {50, 1e-8}});
     HazardCurve const from_nothing({{0.005, 1e4}, {50, 1e-8}});  // the same power law
@@ -357,7 +357,7 @@ TEST_F(Frequency, PartsWithoutDataAreReported) {
     }
     auto const sound = said(HazardCurve(fine));
     EXPECT_EQ(sound.find("note:"), std::string::npos) << sound;
-    // Its ends are told in the unit that the curve states, whatever the levels do.
+    // Its ends are reported in the unit that the curve states, whatever the levels do.
     auto const in_g = parse_hazard("pga [g], annual_exceedance\n0.05, 1e-2\n5, 1e-8\n", "h.csv", spec.levels);
     EXPECT_NE(said(in_g).find("from 0.05 g (0.01 1/a) to 5 g (1e-08 1/a)"), std::string::npos) << said(in_g);
 }

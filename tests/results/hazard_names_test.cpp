@@ -60,7 +60,7 @@ TEST(HazardNames, AnnualFrequenciesHaveManyNames) {
     }
 }
 
-// the unit may stand in the text, which may not contradict the names; what it says else is told.
+// the unit may stand in the text, which may not contradict the names; what it says else is reported.
 TEST(HazardNames, EveryLineOfTextIsAccountedFor) {
     auto const parse = [&](std::string const& head) {
         return parse_hazard(head + "0.1,1e-2\n1,1e-5\n", "h.csv", over_pga);
@@ -108,7 +108,7 @@ TEST(HazardNames, OtherRatesInTheTextAreRefused) {
                                        "h.csv", over_pga));
 }
 
-// text that speaks of another measure than the column is told.
+// text that speaks of another measure than the column is reported.
 TEST(HazardNames, OtherMeasuresInTheTextAreReported) {
     auto const remarks = [](std::string const& line) {
         return parse_hazard(line + "\npga [g], annual_exceedance\n0.1,1e-2\n1,1e-5\n", "h.csv", over_pga).remarks();
@@ -121,7 +121,7 @@ TEST(HazardNames, OtherMeasuresInTheTextAreReported) {
     EXPECT_TRUE(remarks("# mean annual hazard curve").empty());
 }
 
-// a word in the intensity's name that may change it is told: of another component, a percentile.
+// a word in the intensity's name that may change it is reported: of another component, a percentile.
 TEST(HazardNames, WordsOfTheIntensityAreAccountedFor) {
     auto const remarks = [](std::string const& name, std::string const& label) {
         HazardAxis const axis{.label = label, .dimension = Dimension::acceleration, .unit = {}};

@@ -127,7 +127,7 @@ TEST(LimitState, BadOnesAreRefusedWhereTheyAreWrong) {
            "[effects]\ninclude=['sliding']\n");
 }
 
-// a limit that no body can pass as it is stated is refused; a body among others that cannot is told.
+// a limit that no body can pass as it is stated is refused; a body among others that cannot is reported.
 TEST(LimitState, WhatNoBodyCanPassIsRefused) {
     auto const campaign = [](std::string const& bodies, std::string const& limit) {
         return testing::campaign_from(testing::quick_waves + bodies + testing::levels("values=[3]\n") + limit);
@@ -145,7 +145,7 @@ TEST(LimitState, WhatNoBodyCanPassIsRefused) {
               1);
 }
 
-// metres where millimetres were meant are told.
+// metres where millimetres were meant are reported.
 TEST(LimitState, AbsurdThresholdsAreReported) {
     auto const told = [](std::string const& above) {
         auto const lines =

@@ -95,7 +95,7 @@ TEST(ManyTrials, AllCount) {
     }
 }
 
-TEST(ManyTrials, TakeTheMemoryThatPlanSays) {
+TEST(ManyTrials, TakeTheMemoryThatPlanStates) {
     ManyRows const rows;
     constexpr double bytes = 80 + 4 * 8;  // and four measures that do not scale: V_WES, ouV_E, both over V_Ereq
     EXPECT_EQ(memory_of_trials(rows.spec(), 1'000'000), 1e6 * bytes);

@@ -90,7 +90,7 @@ TEST(Columns, MeasuresOfSeveralBodiesLieSideBySide) {
     }
 }
 
-TEST(Columns, EveryVerdictReasonAndRungHasAName) {
+TEST(Columns, EveryVerdictReasonAndModelHasAName) {
     std::set<Verdict> values;
     std::set<std::string_view> names;
     for (auto const& entry : verdicts()) {
@@ -194,7 +194,7 @@ TEST(Statistics, CountWhatTheRowsSay) {
     EXPECT_EQ(b.called, (std::vector<Counts>{{0, 0}, {0, 0}, {0, 0}, {0, 0}}));
 }
 
-// a body that still rocked when the record ended is told, as far as rows know it.
+// a body that still rocked when the record ended is reported, as far as rows know it.
 TEST(Statistics, CountWhoFellOrPeakedOnlyAfterTheRecord) {
     auto const spec = testing::campaign_from(testing::quick_waves + testing::type_a + testing::type_b
                                              + testing::levels("values=[3,6]\n"));

@@ -1,4 +1,4 @@
-// Requirement R-905: the trials worth a look are found among the stored ones: of every body the first overturned, the
+// Requirement R-905: the trials to inspect are found among the stored ones: of every body the first overturned, the
 // nearest miss, the largest slip, and verdicts that change back at a higher level.
 #include "results/telling_trials.hpp"
 

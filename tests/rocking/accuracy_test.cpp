@@ -118,7 +118,7 @@ class RotationAt : public RockingObserver {
 };
 
 // Energy comes from A (sin psi)' alone: under a steady push it is known from where the block is, to the wave's end.
-// Where that is, a wave that goes on tells.
+// A longer wave shows where that is.
 TEST(Accuracy, EnergyIsLookedAtUpToTheEndOfTheWave) {
     double const alpha = block.alpha_rad;
     double const from = 0.1;

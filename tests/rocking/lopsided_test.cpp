@@ -39,7 +39,7 @@ RockingBlock alone(RockingBlock const& block, double side) {
         .alpha_rad = c.alpha_rad, .p_radps = c.p_radps, .restitution = c.restitution, .inertia_ratio = c.inertia_ratio};
 }
 
-// Uplift begins at g tan(alpha -/+ slope): under a ramp the instant tells the threshold.
+// Uplift begins at g tan(alpha -/+ slope): under a ramp the instant shows the threshold.
 TEST(Lopsided, UpliftsAtTheTangentOfItsOwnAngle) {
     for (auto const& [offset, slope] : leans) {
         auto const block = lopsided_a(offset, slope, ample);
@@ -258,7 +258,7 @@ TEST(Lopsided, GoesOnWithSlipWhereFrictionGaveOut) {
     EXPECT_GT(gone_on, 6);
 }
 
-// After the wave energy decides: following the body through a minute of quiet tells the same.
+// After the wave energy decides: following the body through a minute of quiet gives the same.
 TEST(Lopsided, TheVerdictNeedsNoQuietAfterTheWave) {
     auto wave = testing::short_wave(3);
     int rocked = 0;

@@ -188,7 +188,7 @@ TEST(OverturningRanges, WhereThereIsNoGapOneRangeFollowsTheOther) {
     EXPECT_EQ(found.ranges.front().fate, Fate::stands);
 }
 
-// A boundary that is told stands, and just beyond it the block falls.
+// A boundary that is reported stands, and just beyond it the block falls.
 TEST(OverturningRanges, BoundariesAreOnTheSideThatStands) {
     std::vector<double> wave(1200);
     for (std::size_t i = 0; i < wave.size(); ++i) {

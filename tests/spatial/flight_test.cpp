@@ -66,7 +66,7 @@ TEST(SpatialFlight, KeepsAngularMomentumAndEnergy) {
     }
 }
 
-TEST(SpatialFlight, FallsAsTheClosedFormSays) {
+TEST(SpatialFlight, FallsAsTheClosedForm) {
     auto const block = with_inertia(1);
     auto start = thrown();
     start.velocity_mps = {3, -2, 1};
@@ -81,7 +81,7 @@ TEST(SpatialFlight, FallsAsTheClosedFormSays) {
 }
 
 // Of a body symmetric about its axis the free motion is known: the axis goes round the angular momentum at |L| / I_x.
-TEST(SpatialFlight, PrecessesAsTheClosedFormSays) {
+TEST(SpatialFlight, PrecessesAsTheClosedForm) {
     auto const block = with_inertia(1);
     auto const history = released(block, thrown(), 10);
     auto const momentum = angular_momentum(block, history.instants.front());

@@ -176,7 +176,7 @@ TEST(SpatialHardCases, TenTimesGravityUpAndDown) {
     }
 }
 
-// After the motion a body is followed until it rests: what is told does not hang on where the motion ends.
+// After the motion a body is followed until it rests: what is reported does not hang on where the motion ends.
 TEST(SpatialHardCases, FollowedUntilItRests) {
     auto const pulse = testing::sine(1, 2, 1, 0);
     auto longer = pulse;

@@ -1,4 +1,4 @@
-// Requirement R-606: elements of a rim give back what they are told to, a rim rocks as it does in its plane, far above
+// Requirement R-606: elements of a rim give back what the law states, a rim rocks as it does in its plane, far above
 // Housner's restitution, and scarcely touching it presses what the integral over its arc says.
 #include "contact/rim_law.hpp"
 

@@ -33,7 +33,7 @@ TEST(DesignPart, SeparatorsAreThoseOfTheHeader) {
     EXPECT_EQ(table_of_one_ordinate("T(s) median(g) p84(g)\n1 2 3\n", "d.txt", "p84"), "T(s),p84(g)\n1,3\n");
 }
 
-// what a spectrum scatters by is no second one; it is left out, and told.
+// what a spectrum scatters by is no second one; it is left out, and reported.
 TEST(DesignPart, SpreadsAreNoOrdinates) {
     for (std::string const spread : {"sigma", "Sa uncertainty (g)", "ln std", "dispersion", "Sa_sigma"}) {
         EXPECT_EQ(table_of_one_ordinate("T (s),Sa (g)," + spread + "\n1,2,3\n", "d.csv", ""),

@@ -77,7 +77,7 @@ TEST(TargetNames, TextMayNotContradict) {
         "t.csv:4: unit gal in the file, g stated");
 }
 
-// units of the kind are heard in the text, in any row of units, and every other line is told.
+// units of the kind are heard in the text, in any row of units, and every other line is reported.
 TEST(TargetNames, EveryLineOfTextIsAccountedFor) {
     auto const parse = [](std::string const& head, TargetKind kind) {
         return parse_target_table(head + "0.1,70\n1,50\n10,8  # the end\n", "t.csv", kind, 0.05);

@@ -131,7 +131,7 @@ TEST(TargetSpectrum, UntabulatedDampingIsRefused) {
     expect_input_error([] { (void)named("mlit-ch3"); }, "Did you mean 'mlit-ch1'");
 }
 
-TEST(TargetSpectrum, GoesOnBeyondItsEndsAndSaysSo) {
+TEST(TargetSpectrum, ContinuesBeyondItsEndsAndReportsIt) {
     auto const target = named("mlit-ch1");
 
     EXPECT_FALSE(target.defined_at(10.001));

@@ -1,4 +1,4 @@
-// Requirement: waves that share what was drawn come in groups, and a group tells no more than one.
+// Requirement: waves that share what was drawn come in groups, and a group counts as one.
 #include <algorithm>
 #include <cmath>
 #include <optional>

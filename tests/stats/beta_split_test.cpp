@@ -1,4 +1,4 @@
-// Requirement R-705: beta_R (waves) and beta_U (what is not known of the body) are told apart from one sampled
+// Requirement R-705: beta_R (waves) and beta_U (what is not known of the body) are distinguished from one sampled
 // campaign.
 #include "stats/beta_split.hpp"
 

@@ -15,7 +15,7 @@ void expect_share(Share const& share, std::int64_t count, std::int64_t of) {
 }
 
 TEST(CriterionStudy, CountsTrialsAndWaves) {
-    // Wave 1 falls twice while said safe, wave 2 stands while said unsafe, wave 3 does as it is told.
+    // Wave 1 falls twice while said safe, wave 2 stands while said unsafe, wave 3 does as predicted.
     std::vector<CriterionTrial> const trials{{0.5, 1, false}, {0.8, 1, true},  {0.9, 1, true},  {0.7, 2, false},
                                              {1.0, 2, false}, {1.4, 2, false}, {0.6, 3, false}, {1.3, 3, true}};
     auto const study = study_criterion(trials, 0.95);

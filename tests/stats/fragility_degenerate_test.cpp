@@ -86,7 +86,7 @@ TEST(Degenerate, AlmostSeparated) {
     EXPECT_TRUE(fit.penalised);
 }
 
-/// Where no curve rises through the stripes, what was seen at a quoted one is still told, with its exact interval.
+/// Where no curve rises through the stripes, what was seen at a quoted one is still reported, with its exact interval.
 TEST(Degenerate, FallingStripesStillBoundTheirQuotes) {
     auto const fit = fit_of(table_of({{1, 100, 90}, {2, 100, 50}, {3, 100, 10}}), {{1, 1}, {5, 5}});
 

@@ -1,5 +1,5 @@
-// Requirement R-704: where a curve leaves what was seen, what was seen is told: stripes contradict it one by one, and
-// below what the trials can hold there is a bound.
+// Requirement R-704: where a curve leaves what was seen, what was seen is reported: stripes contradict it one by one,
+// and below what the trials can hold there is a bound.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -205,7 +205,7 @@ TEST(Tail, PooledRunsCover) {
     }
 }
 
-/// Above the highest stripe, and below the lowest, a curve that does not describe the data tells no P: what is left is
+/// Above the highest stripe, and below the lowest, a curve that does not describe the data gives no P: what is left is
 /// that P does not fall.
 TEST(Tail, OutsideTheStripesAPoorCurveGivesNothing) {
     auto const plateau = table_of({{2, 500, 20}, {4, 500, 240}, {6, 500, 260}, {8, 500, 250}, {10, 500, 270}});

@@ -75,7 +75,7 @@ TEST(Undecided, AStripeWithoutAnyVerdictCounts) {
     EXPECT_EQ(fit_of(stripes).state, FragilityState::undecided);
 }
 
-/// Single trials: a tenth of them stands for a stripe; P at a quoted intensity is then told by no curve.
+/// Single trials: a tenth of them stands for a stripe; P at a quoted intensity is then given by no curve.
 TEST(Undecided, SingleTrialsAreJudgedInTenths) {
     std::vector<SingleTrial> decided;
     std::vector<SingleTrial> open;

@@ -1,4 +1,4 @@
-// Requirement R-701: of several bodies under one wave it is told how likely any of them falls, exactly, and whether
+// Requirement R-701: of several bodies under one wave it is reported how likely any of them falls, exactly, and whether
 // they fall together.
 #include "stats/joint.hpp"
 

@@ -48,7 +48,7 @@ TEST(Kolmogorov, CriticalValuesAsPublished) {
 }
 
 /// 5 % of 2000 samples leave the 95 % band: 100 with a standard deviation of 10.
-TEST(Kolmogorov, TheBandHoldsAsOftenAsItSays) {
+TEST(Kolmogorov, TheBandHasItsCoverage) {
     int outside_one = 0;
     int outside_two = 0;
     for (std::uint64_t r = 0; r < 2000; ++r) {

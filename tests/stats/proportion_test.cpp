@@ -77,7 +77,7 @@ TEST(ClopperPearsonEnds, NoneOfManyIsBelowThreeOverN) {
     }
 }
 
-TEST(ClopperPearsonEnds, NothingTriedSaysNothing) {
+TEST(ClopperPearsonEnds, NothingTriedReportsNothing) {
     auto const interval = clopper_pearson(0, 0, 0.95);
 
     EXPECT_EQ(interval.lower, 0);

@@ -39,7 +39,7 @@ TEST(SampleQuantile, RanksOfTheTables) {
 }
 
 /// Of 4000 lognormal samples at least 95 % hold the true quantile (by less than three standard errors).
-TEST(SampleQuantile, HoldsTheTrueOneAsOftenAsItSays) {
+TEST(SampleQuantile, ContainsTheTrueOneWithItsCoverage) {
     std::mt19937_64 source(7);
     std::lognormal_distribution<double> draw(0, 0.8);
     constexpr int samples = 4000;

@@ -156,7 +156,7 @@ TEST_F(MiddleAbout, IsThePlainMiddleWhereTheEstimateHalvesThem) {
     EXPECT_NEAR(about.upper, plain.upper, 1e-4);
 }
 
-/// An interval of ln x is the logarithm of that of x: nothing hangs on the scale that the estimate is told in.
+/// An interval of ln x is the logarithm of that of x: nothing hangs on the scale that the estimate is reported in.
 TEST_F(MiddleAbout, IsTheSameOnAnyRisingScale) {
     auto const ends = middle_about(0, values, 0.95, {-most, most});
     std::transform(values.begin(), values.end(), values.begin(), [](double x) { return std::exp(x); });

@@ -19,7 +19,7 @@ TEST(Stripe, FailedTrialsAreLeftOutOfTheProportion) {
     EXPECT_EQ(stripe.interval(0.95).upper, clopper_pearson(7, 12, 0.95).upper);
 }
 
-TEST(Stripe, NothingDecidedSaysNothing) {
+TEST(Stripe, NothingDecidedReportsNothing) {
     Stripe const stripe{.amplitude = 6, .trials = 3, .failed = 3};
 
     EXPECT_EQ(stripe.decided(), 0);

@@ -52,7 +52,8 @@ TEST(TwoMeasures, IntervalsHoldWhatMadeTheTrials) {
     }
 }
 
-/// A second measure that tells nothing gains what chance gains, one unit of deviance; one that tells gains far more.
+/// A second measure without information gains what chance gains, one unit of deviance; one with information gains far
+/// more.
 TEST(TwoMeasures, GainIsThatOfChanceWhereTheSecondAddsNothing) {
     double gain = 0;
     constexpr int repetitions = 100;

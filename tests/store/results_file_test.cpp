@@ -511,7 +511,7 @@ TEST_F(Results, ReaderRefusesOtherFormats) {
     expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file");
 }
 
-TEST(Hdf5, SaysItsVersion) { EXPECT_EQ(hdf5_version().rfind("1.", 0), 0U) << hdf5_version(); }
+TEST(Hdf5, StatesItsVersion) { EXPECT_EQ(hdf5_version().rfind("1.", 0), 0U) << hdf5_version(); }
 
 }  // namespace
 }  // namespace overturn::store
