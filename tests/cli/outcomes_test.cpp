@@ -133,7 +133,7 @@ TEST_F(Outcomes, SeveralBodiesVoteAndUntestedWavesAreLeftOut) {
                   "# two motions\nwave; motion; \"block-*\"\n0; a; 1\n1; a; 0\n2; b; 1\n3; b;\n4; b; 0\n");
     auto const text = page();
     EXPECT_NE(text.find("2 falls in 4 tests of 2 motions"), std::string::npos);
-    EXPECT_NE(text.find("2 bodies stand for it"), std::string::npos);
+    EXPECT_NE(text.find("2 bodies represent it"), std::string::npos);
 }
 
 TEST_F(Outcomes, EachWrongTableIsOneLineWithWhatToDo) {
