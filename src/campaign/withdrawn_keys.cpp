@@ -26,7 +26,7 @@ double constant_of(config::Key const& key) {
 
 }  // namespace
 
-std::vector<config::Key const*> told_keys(config::KeyTable const& table) {
+std::vector<config::Key const*> listed_keys(config::KeyTable const& table) {
     auto keys = table.every_key();
     std::erase_if(keys, [](config::Key const* key) { return is_withdrawn(*key); });
     return keys;

@@ -10,7 +10,7 @@
 namespace overturn {
 
 /// The keys of a table, and those it has from others, that references list: all but withdrawn ones.
-[[nodiscard]] std::vector<config::Key const*> told_keys(config::KeyTable const& table);
+[[nodiscard]] std::vector<config::Key const*> listed_keys(config::KeyTable const& table);
 
 /// \throws InputError at a withdrawn key that differs from its constant
 void refuse_withdrawn_keys(CampaignInput const& input);

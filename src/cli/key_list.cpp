@@ -77,7 +77,7 @@ std::string keys_text(std::span<PlacedTable const> tables) {
         text += text.empty() ? "" : "\n";
         text += beside("", title_of(placed));
         text += beside("  ", std::string(placed.table->meaning));
-        for (auto const* key : told_keys(*placed.table)) {
+        for (auto const* key : listed_keys(*placed.table)) {
             text += beside(fmt::format("  {:<{}}", key->name, name_width - 2),
                            fmt::format("{}; {}", takes_in(*placed.table, *key), absent_text(*key)));
             text += beside(std::string(name_width, ' '), meaning_text(*key));
@@ -97,7 +97,7 @@ std::string keys_markdown(std::span<PlacedTable const> tables) {
         text += fmt::format("\n## {}\n\n{}\n\n| key | takes | default | meaning |\n|---|---|---|---|\n",
                             placed.places.front().path.empty() ? "The file itself" : "`" + title_of(placed) + "`",
                             placed.table->meaning);
-        for (auto const* key : told_keys(*placed.table)) {
+        for (auto const* key : listed_keys(*placed.table)) {
             text += fmt::format("| `{}` | {} | {} | {} |\n", key->name, takes_in(*placed.table, *key),
                                 default_text(*key), meaning_text(*key));
         }
@@ -113,7 +113,7 @@ Json keys_json(std::span<PlacedTable const> tables) {
             table["places"].push_back(
                 {{"path", path}, {"list", is_list}, {"where", condition.empty() ? Json(nullptr) : Json(condition)}});
         }
-        for (auto const* key : told_keys(*placed.table)) {
+        for (auto const* key : listed_keys(*placed.table)) {
             table["keys"].push_back(json_of(*key));
         }
         all.push_back(std::move(table));

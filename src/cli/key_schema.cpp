@@ -177,7 +177,7 @@ class SchemaWriter {
     [[nodiscard]] Json object(KeyTable const& table) {
         Json properties;
         auto required = Json::array();
-        for (auto const* key : told_keys(table)) {
+        for (auto const* key : listed_keys(table)) {
             properties[std::string(key->name)] = property(*key);
             if (key->absent.kind == Default::Kind::required && key->where.empty()) {
                 required.push_back(key->name);

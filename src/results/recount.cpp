@@ -83,8 +83,7 @@ bool is_counted(std::string_view column, std::span<LimitState const> limits) {
            || std::ranges::any_of(limits, [&](LimitState const& limit) { return limit.quantity.name == column; });
 }
 
-// The trials' records of what models have to say of their own, one after the other, some at a time; all empty where
-// nobody asks.
+// The further columns of models, trial after trial, some at a time; all empty if they are not requested.
 class OwnRecords {
   public:
     OwnRecords(store::ResultsReader const& file, ModelSelector const& selector, std::int64_t length)

@@ -56,7 +56,7 @@ TEST(Keys, EveryDescribedKeyIsRead) {
     std::map<config::Key const*, bool> read;  // a key that several tables share is one
     std::map<config::Key const*, std::string> named;
     for (auto const& placed : tables_within(campaign_table)) {
-        for (auto const* key : told_keys(*placed.table)) {
+        for (auto const* key : listed_keys(*placed.table)) {
             read[key] = read[key] || std::ranges::any_of(placed.places, [&](config::TablePlace const& place) {
                             return reads(readings, place, key->name);
                         });
@@ -110,7 +110,7 @@ TEST(Keys, WithdrawnOnesAreReadInFilesAndRefusedInNewCampaigns) {
     EXPECT_NO_THROW(refuse_withdrawn_keys(testing::input_from(text)));
     auto const* const accuracy = campaign_table.find("accuracy")->tables().front();
     EXPECT_NE(accuracy->find("settle"), nullptr);
-    EXPECT_FALSE(std::ranges::any_of(told_keys(*accuracy), [](auto const* key) { return key->name == "settle"; }));
+    EXPECT_FALSE(std::ranges::any_of(listed_keys(*accuracy), [](auto const* key) { return key->name == "settle"; }));
 }
 
 }  // namespace
