@@ -154,7 +154,8 @@ void SpatialRun::fill_peaks(SpatialOutcome& out) const {
     out.residual_m = base_centre();
     auto const r = rotation();
     double const lifted = block_.edge_m * std::hypot(r[2], r[5]) / (1 + r[8]);  // on past 90 degrees, where it lies
-    out.residual_slip_m = std::hypot(out.residual_m[0] - lifted * r[2], out.residual_m[1] - lifted * r[5]);
+    std::array const edge{out.residual_m[0] - lifted * r[2], out.residual_m[1] - lifted * r[5]};
+    out.residual_slip_m = std::hypot(edge[0], edge[1]);
     // The last step's end has no step that would have recorded it.
     out.peak_slip_m = std::max(std::sqrt(get(State::most_slip)), out.residual_slip_m);
     double const yaw = instant().yaw_rad;
@@ -167,7 +168,8 @@ void SpatialRun::fill_peaks(SpatialOutcome& out) const {
                  .peak_rise_m = get(State::most_rise) + planar_.settlement_m(),
                  .yaw_rad = yaw,
                  .peak_yaw_rad = std::max(yaw_of(get(State::most_yaw)), std::abs(yaw)),
-                 .slip_path_m = get(State::slip_path),
+                 .slip_path_m = get(State::slip_path)
+                                + std::hypot(edge[0] - get(State::base_x), edge[1] - get(State::base_y)),
                  .residual_x_m = out.residual_m[0],
                  .residual_y_m = out.residual_m[1],
                  .edge_x_most_m = std::max(get(State::most_x), out.residual_m[0] + reach(r[2])),
