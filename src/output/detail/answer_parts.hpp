@@ -18,9 +18,7 @@ namespace overturn::output {
 }
 
 /// Do more than half of the trials leave the response open? What the others have is then no percentile of all.
-[[nodiscard]] inline bool mostly_unknown(LevelQuantiles const& at) {
-    return at.trials == 0 || at.unknown > at.trials;
-}
+[[nodiscard]] inline bool mostly_unknown(LevelQuantiles const& at) { return at.trials == 0 || at.unknown > at.trials; }
 
 /// Is there a curve whose beta_U is not known? Its HCLPF is none, and the upper end of its annual frequency is open: a
 /// wider curve is passed more often.
