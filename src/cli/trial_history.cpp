@@ -92,7 +92,7 @@ Json channels_of(KeptHistory const& history, RigidBody const& body, std::size_t 
     auto channels = Json::object();
     for (std::size_t i = 0; i < history.keys().size(); ++i) {
         auto const& key = history.keys()[i];
-        if (SitePath::adds(key)) {
+        if (SitePath::adds(key) || key.starts_with("edge_") || key.starts_with("top_")) {
             continue;  // not drawn
         }
         auto const& values = history.columns()[i];

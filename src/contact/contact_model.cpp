@@ -17,22 +17,38 @@ constexpr std::array contact_effect{EffectEntry{
     "compliant base that can bounce and crush the pad; required by a bedding other than two corners, by a loss of "
     "contact, and, if base or pad is stated, by a tilt of 0.3 alpha or an impact near the pad's strength"}};
 
-constexpr std::array channels{
-    Channel{"time_s"},   Channel{"rotation_rad"}, Channel{"velocity_radps"}, Channel{"sway_m"},
-    Channel{"sway_mps"}, Channel{"rise_m"},       Channel{"rise_mps"},       Channel{"contact_force_over_weight"},
-    Channel{"crush_m"},  Channel{"slip_m"}};
+constexpr std::array channels{Channel{"time_s"},
+                              Channel{"rotation_rad"},
+                              Channel{"velocity_radps"},
+                              Channel{"sway_m"},
+                              Channel{"sway_mps"},
+                              Channel{"rise_m"},
+                              Channel{"rise_mps"},
+                              Channel{"contact_force_over_weight"},
+                              Channel{"crush_m"},
+                              Channel{"slip_m"},
+                              Channel{"x_m"},
+                              Channel{"edge_x_most_m"},
+                              Channel{"edge_x_least_m"},
+                              Channel{"top_x_m"}};
 
 /// Instants of the kernel as rows of channels.
 class Shown : public ContactObserver {
   public:
-    explicit Shown(Observer& observer) : rows_(observer, 1) {}
+    Shown(Observer& observer, ContactBlock const& block)
+        : rows_(observer, 1), half_width_m_(block.half_width_m), centre_height_m_(block.centre_height_m) {}
     void at(ContactInstant const& i) override {
+        double const lean_m = centre_height_m_ * std::sin(i.rotation_rad);
+        double const base_m = i.sway_m - lean_m;
+        double const reach_m = half_width_m_ * std::abs(std::cos(i.rotation_rad));
         rows_.at({i.time_s, i.rotation_rad, i.velocity_radps, i.sway_m, i.sway_mps, i.rise_m, i.rise_mps,
-                  i.contact_force_ratio, i.crush_m, i.slip_m});
+                  i.contact_force_ratio, i.crush_m, i.slip_m, base_m, base_m + reach_m, base_m - reach_m,
+                  i.sway_m + lean_m});
     }
 
   private:
     UntilItLies<std::array<double, channels.size()>> rows_;
+    double half_width_m_, centre_height_m_;
 };
 
 constexpr std::int64_t of_base = 3;
@@ -94,7 +110,7 @@ class ContactModel : public Model {
         std::vector<ContactOutcome> outcomes(trials.size());
         if (batch.observer != nullptr) {
             OVERTURN_EXPECT(trials.size() == 1);
-            Shown shown(*batch.observer);
+            Shown shown(*batch.observer, *trials.front().block);
             outcomes.front() = simulate_contact(*trials.front().block, trials.front().shaking, accuracy_, {}, &shown);
         } else {
             simulate_contact(trials, accuracy_, outcomes);

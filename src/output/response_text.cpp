@@ -97,8 +97,10 @@ std::string moved_text(OneResponse const& of, ShownVelocity const& unit) {
         text += fmt::format(", its centre of gravity with {}, its top with {}, {:.4g} kJ per t\n",
                             unit.text(r.landing_velocity_mps), unit.text(r.landing_top_mps), r.landing_energy_jpkg);
     }
-    text += fmt::format("uplift           first {}, {} impacts, off the ground {}\n", time_text(r.first_uplift_s),
-                        r.impacts, time_text(r.contact_lost_s));
+    text += std::isnan(r.first_uplift_s)
+                ? std::string("uplift           never\n")
+                : fmt::format("uplift           first {}, {} impacts, off the ground {}\n", time_text(r.first_uplift_s),
+                              r.impacts, time_text(r.contact_lost_s));
     text += fmt::format("V_resp           {}\n", unit.text(r.response_velocity_mps));
     text += fmt::format("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
     text += fmt::format("friction demand  {}, least contact force {:.4f} m g\n",

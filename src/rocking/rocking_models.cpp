@@ -29,7 +29,11 @@ constexpr std::array channels{Channel{"time_s"},
                               Channel{"friction_over_weight"},
                               Channel{"contact_force_over_weight"},
                               Channel{"slip_m"},
-                              Channel{"slip_velocity_mps"}};
+                              Channel{"slip_velocity_mps"},
+                              Channel{"x_m"},
+                              Channel{"edge_x_most_m"},
+                              Channel{"edge_x_least_m"},
+                              Channel{"top_x_m"}};
 
 struct SlipCheckpoints : Checkpoints {
     std::vector<rocking::Checkpoint> at;
@@ -111,14 +115,33 @@ void put_quantities(Batch const& batch, std::size_t i, RigidQuantities const& qu
 /// Instants of the kernel as rows of channels.
 class Shown : public RockingObserver {
   public:
-    explicit Shown(Observer& observer) : observer_(observer) {}
+    Shown(Observer& observer, RigidBody const& body) : observer_(observer), body_(body) {}
     void at(RockingInstant const& i) override {
+        auto const [x_m, most_m, least_m, top_m] = place_of(i);
         observer_.at(std::array{i.time_s, i.rotation_rad, i.velocity_radps, i.friction_ratio, i.contact_force_ratio,
-                                i.slip_m, i.slip_velocity_mps});
+                                i.slip_m, i.slip_velocity_mps, x_m, most_m, least_m, top_m});
     }
 
   private:
+    // Of the base's centre, its edges and the top: not known in flight.
+    [[nodiscard]] std::array<double, 4> place_of(RockingInstant const& i) const {
+        double const side = i.rotation_rad < 0 ? -1 : 1;
+        if (i.contact_force_ratio == 0 && std::abs(i.rotation_rad) > body_.corner(side).alpha_rad) {
+            return {never, never, never, never};
+        }
+        bool const lopsided = body_.lopsided();
+        double const leant_on_m = lopsided ? body_.corner(side).half_width_m : body_.half_width_m();
+        double const other_m = lopsided ? body_.corner(-side).half_width_m : body_.half_width_m();
+        double const cosine = std::cos(i.rotation_rad);
+        double const edge_m = i.slip_m + side * leant_on_m;
+        double const far_m = edge_m - side * (leant_on_m + other_m) * cosine;
+        double const axis_m = edge_m - side * leant_on_m * cosine;
+        return {axis_m, std::max(edge_m, far_m), std::min(edge_m, far_m),
+                axis_m + 2 * body_.centre_height_m() * std::sin(i.rotation_rad)};
+    }
+
     Observer& observer_;
+    RigidBody const& body_;
 };
 
 class RockingModel : public Model {
@@ -188,7 +211,7 @@ class RockingModel : public Model {
         OVERTURN_EXPECT(batch.trials.size() == 1);
         auto const& trial = batch.trials.front();
         auto const [block, shaking, start] = rocking_trial(trial);
-        Shown shown(*batch.observer);
+        Shown shown(*batch.observer, *trial.body);
         conclude_one(simulate_rocking(block, shaking, accuracy_, start, &shown, slip_of(trial)), trial,
                      batch.outcomes.front());
     }
@@ -209,7 +232,7 @@ class SlidingModel : public Model {
         std::optional<Shown> shown;
         if (batch.observer != nullptr) {
             OVERTURN_EXPECT(batch.trials.size() == 1);
-            shown.emplace(*batch.observer);
+            shown.emplace(*batch.observer, *batch.trials.front().body);
         }
         for (std::size_t i = 0; i < batch.trials.size(); ++i) {
             auto const& trial = batch.trials[i];

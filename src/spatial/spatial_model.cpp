@@ -31,27 +31,46 @@ constexpr std::array reasons{
         "a round base rolls as soon as a second component shakes it, and a continuous rim is followed in space"},
     ReasonEntry{of_polygon, "polygon-base", "no plane holds a polygon"}};
 
-constexpr std::array channels{Channel{"time_s"},      Channel{"tilt_rad"},
-                              Channel{"azimuth_rad"}, Channel{"tilt_x_rad"},
-                              Channel{"tilt_y_rad"},  Channel{"yaw_rad"},
-                              Channel{"x_m"},         Channel{"y_m"},
-                              Channel{"rise_m"},      Channel{"contact_force_over_weight"},
-                              Channel{"crush_m"}};
+constexpr std::array channels{Channel{"time_s"},
+                              Channel{"tilt_rad"},
+                              Channel{"azimuth_rad"},
+                              Channel{"tilt_x_rad"},
+                              Channel{"tilt_y_rad"},
+                              Channel{"yaw_rad"},
+                              Channel{"x_m"},
+                              Channel{"y_m"},
+                              Channel{"rise_m"},
+                              Channel{"contact_force_over_weight"},
+                              Channel{"crush_m"},
+                              Channel{"edge_x_most_m"},
+                              Channel{"edge_x_least_m"},
+                              Channel{"edge_y_most_m"},
+                              Channel{"edge_y_least_m"},
+                              Channel{"top_x_m"},
+                              Channel{"top_y_m"}};
 
 /// Instants of the kernel as rows of channels.
 class Shown : public SpatialObserver {
   public:
-    explicit Shown(Observer& observer) : rows_(observer, 1) {}
+    Shown(Observer& observer, SpatialBlock const& block)
+        : rows_(observer, 1), reach_m_(block.reach_m), top_m_(2 * block.planar.centre_height_m) {}
     void at(SpatialInstant const& i) override {
         auto const [about_x, about_y] = i.tilts_rad();
         double const jump = std::abs(i.azimuth_rad() - azimuth_rad_) > pi ? std::copysign(2 * pi, azimuth_rad_) : 0;
         azimuth_rad_ = i.azimuth_rad() + (i.tilt_rad() > pi / 2 ? jump : 0);  // as near as can be to the step before
+        // Of the circle round the base, as its columns: a base with corners reaches no farther.
+        double const lean_x = std::sin(i.tilt_rad()) * std::cos(i.azimuth_rad());
+        double const lean_y = std::sin(i.tilt_rad()) * std::sin(i.azimuth_rad());
+        double const reach_x = reach_m_ * std::sqrt(std::max(1 - lean_x * lean_x, 0.0));
+        double const reach_y = reach_m_ * std::sqrt(std::max(1 - lean_y * lean_y, 0.0));
         rows_.at({i.time_s, i.tilt_rad(), azimuth_rad_, about_x, about_y, i.yaw_rad, i.x_m, i.y_m, i.rise_m,
-                  i.contact_force_ratio, i.crush_m});
+                  i.contact_force_ratio, i.crush_m, i.x_m + reach_x, i.x_m - reach_x, i.y_m + reach_y, i.y_m - reach_y,
+                  i.x_m + top_m_ * lean_x, i.y_m + top_m_ * lean_y});
     }
 
   private:
     UntilItLies<std::array<double, channels.size()>> rows_;
+    double reach_m_, top_m_;
     double azimuth_rad_ = 0;
 };
 
@@ -134,7 +153,7 @@ class SpatialModel : public Model {
         std::vector<SpatialOutcome> outcomes(trials.size());
         if (batch.observer != nullptr) {
             OVERTURN_EXPECT(trials.size() == 1);
-            Shown shown(*batch.observer);
+            Shown shown(*batch.observer, *trials.front().block);
             outcomes.front() = simulate_spatial(*trials.front().block, trials.front().shaking, accuracy_, {}, &shown);
         } else {
             simulate_spatial(trials, accuracy_, outcomes);

@@ -191,7 +191,7 @@ TEST_F(Units, EverythingIsReadInTheUnitsOfTheCampaign) {
     auto const rock = overturn(folder, {"rock", "--body", "b.toml", "--wave", "w.csv"});
     EXPECT_NE(rock.out.find(" in at most, "), std::string::npos) << rock.out << rock.err;
     auto const history = folder.read("h.csv");
-    EXPECT_NE(history.substr(0, history.find('\n')).find(",slip_m,slip_velocity_mps,slip [in],slip_velocity [kine]"),
+    EXPECT_NE(history.substr(0, history.find('\n')).find("_m,top_x_m,slip [in],slip_velocity [kine],x [in],"),
               std::string::npos)
         << history.substr(0, history.find('\n'));
     ASSERT_EQ(overturn(folder, {"export", "c.h5", "--as", "csv"}).code, 0);

@@ -2,8 +2,11 @@
 // of many at once are those that each is alone, with their models' own quantities.
 #include "response/model_selector.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -379,7 +382,7 @@ TEST(ModelSelector, ShowsTheModelThatAnswered) {
         auto const response = selector.respond(many.trials()[i]);
         Shown shown;
         selector.show(many.trials()[i], response, shown);
-        EXPECT_EQ(shown.width, 7U);
+        EXPECT_EQ(shown.width, 11U);
         EXPECT_GT(shown.instants, 0U) << i;
         EXPECT_LE(shown.largest_slip, response.peak_slip_m) << i;
         EXPECT_EQ(shown.largest_slip > 0, response.peak_slip_m > 0) << i;
@@ -389,7 +392,7 @@ TEST(ModelSelector, ShowsTheModelThatAnswered) {
     Shown nothing;
     auto const failed = SceneTrial{many.trials()[0].scene, many.trials()[0].motion, 1e12};
     selector.show(failed, selector.respond(failed), nothing);
-    EXPECT_EQ(nothing.width, 7U);
+    EXPECT_EQ(nothing.width, 11U);
     EXPECT_EQ(nothing.instants, 0U);
 }
 
@@ -431,6 +434,63 @@ TEST(ModelSelector, ShowsNothingBelowTheGround) {
             EXPECT_NEAR(seen.last[0], response.overturn_time_s, 1e-3);
             for (std::size_t i = 2; i < seen.last.size(); ++i) {
                 EXPECT_NEAR(seen.last[i], seen.before[i], 0.05) << "channel " << i;
+            }
+        }
+    }
+}
+
+// of every model a history has the base's edges and the top at each instant; the row has their extremes.
+// A history on points begins in motion, some micrometres from rest.
+TEST(ModelSelector, HistoriesReachAsFarAsTheirRows) {
+    struct Extremes : Observer {
+        std::vector<std::string> keys;
+        std::vector<double> most, least;
+        void begin(std::span<Channel const> channels) override {
+            for (auto const& channel : channels) {
+                keys.emplace_back(channel.key);
+            }
+            most.assign(keys.size(), -1e300);
+            least.assign(keys.size(), 1e300);
+        }
+        void at(std::span<double const> values) override {
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                most[i] = std::max(most[i], values[i]);
+                least[i] = std::min(least[i], values[i]);
+            }
+        }
+        [[nodiscard]] std::size_t place(std::string_view key) const {
+            return static_cast<std::size_t>(std::ranges::find(keys, key) - keys.begin());
+        }
+    };
+    Footing on_bed;
+    on_bed.stated = true;
+    on_bed.base.corner_share = 0.4;
+    on_bed.pad.match_restitution = false;
+    auto on_rim = on_bed;
+    on_rim.base = {.shape = BaseShape::round, .points = 0};
+    GroundMotion motion;
+    motion.time_step_s = 0.01;
+    for (std::size_t i = 0; i < 400; ++i) {
+        motion.horizontal_mps2.push_back(i < 50 ? std::sin(pi * 0.02 * static_cast<double>(i)) : 0.0);
+    }
+    for (Footing const* const footing : {&Scene::on_corners(), &std::as_const(on_bed), &std::as_const(on_rim)}) {
+        for (double const friction : {2.0, 0.4}) {
+            for (double const scale : {9.0, -9.0}) {
+                Scene const scene{body, Friction{friction, friction}, *footing};
+                SceneTrial const trial{scene, motion, scale};
+                ModelSelector const selector({EffectMode::automatic, 0});
+                std::vector<std::byte> own(selector.extra_bytes());
+                auto const response = selector.respond(trial, own);
+                ASSERT_NE(response.verdict, Verdict::at_rest);
+                ASSERT_NE(response.verdict, Verdict::overturned);
+                Extremes seen;
+                selector.show(trial, response, seen);
+                auto const row = [&](char const* name) { return selector.own_value(response, name, own); };
+                EXPECT_NEAR(seen.most[seen.place("edge_x_most_m")], row("edge_x_most"), 1e-5) << response.model;
+                EXPECT_NEAR(seen.least[seen.place("edge_x_least_m")], row("edge_x_least"), 1e-5) << response.model;
+                double const top = std::max(seen.most[seen.place("top_x_m")], -seen.least[seen.place("top_x_m")]);
+                EXPECT_LE(top, row("peak_top") + 1e-6) << response.model;
+                EXPECT_GT(top, 0.9 * row("peak_top")) << response.model;  // a rigid body's row adds its peaks
             }
         }
     }

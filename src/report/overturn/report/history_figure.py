@@ -83,10 +83,10 @@ def plan(axes, channels, outline):
 def quantities(channels):
     """What there is to draw beside wave, rotation and energy: values, label, colour."""
     slip = channels.get("slip_m", np.zeros(1))
-    if "x_m" in channels:
+    if "y_m" in channels:
         slip = np.hypot(channels["x_m"], channels["y_m"])
     if np.any(slip != 0):
-        what = "base moved" if "x_m" in channels else "slip"
+        what = "base moved" if "y_m" in channels else "slip"
         yield style.shown("slip", slip), f"{what}\n[{style.unit('slip')}]", ORANGE
     if "contact_force_over_weight" in channels:
         yield channels["contact_force_over_weight"], "N / (m g)", PURPLE
@@ -100,7 +100,7 @@ def draw(data, path):
     time = channels["time_s"]
     tilt = channels["tilt_rad"] if "tilt_rad" in channels else channels["rotation_rad"]
     further = list(quantities(channels))
-    spatial = "x_m" in channels
+    spatial = "y_m" in channels
     heights = [1, 1.35, 1.25] + [0.8] * len(further) + ([2.6] if spatial else [])
     figure = plt.figure(figsize=(6.8, 0.9 + 0.92 * sum(heights)), layout="constrained")
     grid = figure.add_gridspec(len(heights), 1, height_ratios=heights)
