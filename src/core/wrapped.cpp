@@ -48,8 +48,8 @@ std::string narrowed(std::string_view text) {
     return lines;
 }
 
-std::string labelled(std::string_view label, std::string_view text, std::size_t width) {
-    return wrapped(text, width, line_width, fmt::format("{:<{}}", label, width));
+std::string labelled(std::string_view label, std::string_view text, std::size_t columns) {
+    return wrapped(text, columns, line_width, fmt::format("{:<{}}", label, columns));
 }
 
 }  // namespace overturn

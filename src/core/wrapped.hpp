@@ -19,7 +19,7 @@ inline constexpr std::size_t line_width = 100;
 
 inline constexpr std::size_t label_width = 10;
 
-/// A label in a column of `width`, and its text beside it in lines that fit a terminal.
-[[nodiscard]] std::string labelled(std::string_view label, std::string_view text, std::size_t width = label_width);
+/// A label in so many columns, and its text beside it in lines that fit a terminal.
+[[nodiscard]] std::string labelled(std::string_view label, std::string_view text, std::size_t columns = label_width);
 
 }  // namespace overturn
