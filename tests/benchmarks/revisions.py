@@ -5,9 +5,9 @@
 
 OLD and NEW are build trees with src/overturn and tests/overturn_benchmarks. Both run the campaigns of --campaigns (of this checkout by
 default; give those of the older one where it does not know a key). Campaigns and benchmarks run in turn, old, new, old, new; printed
-are medians and their ratio. All times are CPU times: a neighbour on the machine moves them less than it moves the clock. `rest` is what a
-run needs beside waves, measures and trials: start, commits, merge, statistics, curves and verdicts. Rows that one build lacks are left
-out."""
+are medians and their ratio. All times are CPU times: a neighbour on the machine moves them less than it moves the clock. What a campaign
+needs for each further wave is the difference of two runs; its commits and its share of the merge are in it. Rows that one build lacks are
+left out."""
 
 import argparse
 import json
@@ -23,7 +23,6 @@ CAMPAIGNS = {  # name: waves
     "similarity_model": 40, "beyond_design": 40}
 BENCHMARKS = ("rare/|match/(five_percent|two_percent|srp|judge)|window_energy/both|spectrum/response/ours|contact_in_lanes"
               "|spatial_in_lanes|rocking/batched/")
-PHASES = {"waves_s": "waves", "measures_s": "measures", "response_s": "trials"}
 
 
 def seconds_of(command, folder):
@@ -37,19 +36,17 @@ def seconds_of(command, folder):
 
 
 def campaign_rows(build, campaign, waves):
-    """{row: milliseconds} of one run."""
+    """{row: milliseconds} of two runs, one of a quarter of the waves."""
+    program, few, cpu = build / "src" / "overturn", max(waves // 4, 1), []
     with tempfile.TemporaryDirectory() as folder:
-        program = build / "src" / "overturn"
         plan, _ = seconds_of([program, "plan", campaign], folder)
-        cpu, _ = seconds_of([program, "run", campaign, "--set", f"waves.count={waves}", "-o", "r.h5"], folder)
-        ranks = json.loads((pathlib.Path(folder) / "r.runtime.json").read_text())["ranks"]
-    phases = {label: sum(rank[key] for rank in ranks) for key, label in PHASES.items()}
+        for count in (few, waves):
+            seconds, _ = seconds_of([program, "run", campaign, "--set", f"waves.count={count}", "-o", f"{count}.h5"], folder)
+            cpu.append(seconds)
+    each = (cpu[1] - cpu[0]) / (waves - few)
     name = campaign.stem
-    rows = {f"{name}, a wave: {label}": 1e3 * seconds / waves for label, seconds in phases.items()}
-    rows[f"{name}, {waves} waves: rest"] = 1e3 * (cpu - sum(phases.values()))
-    rows[f"{name}, {waves} waves: all"] = 1e3 * cpu
-    rows[f"{name}: plan"] = 1e3 * plan
-    return rows
+    return {f"{name}, each further wave": 1e3 * each, f"{name}, beside its waves": 1e3 * (cpu[0] - few * each),
+            f"{name}, {waves} waves": 1e3 * cpu[1], f"{name}, plan": 1e3 * plan}
 
 
 def benchmark_rows(build, only):
