@@ -46,7 +46,7 @@ std::string footing_text(BodySpec const& body, TypedUnits const& units) {
     constexpr double close = 1e-3;
     return text
            + fmt::format("; rocks with restitution {:.4f}{}", match.restitution,
-                         !pad.match_restitution ? " (of the base itself)"
+                         !pad.match_restitution ? " (follows from the base, not from e)"
                          : std::abs(match.restitution - body.body.restitution()) > close
                              ? fmt::format(", the nearest to {:.4f} that this base can have", body.body.restitution())
                              : "");
@@ -159,6 +159,25 @@ std::string bodies_text(CampaignSpec const& spec, output::ShownVelocity const& u
         text += wrapped(all ? saying : fmt::format("{}: {}", names_text(names, 2), saying), 4, line_width, "  ");
     }
     return text;
+}
+
+Json supports_of(CampaignSpec const& spec) {
+    constexpr std::size_t most = 12;
+    auto const units = typed_units(spec);
+    TextsOf texts;
+    for (auto const& body : spec.bodies) {
+        texts.add(friction_text(body), body.name);
+        texts.add(body.footing.stated ? footing_text(body, units) : "", body.name);
+    }
+    auto lines = Json::array();
+    for (auto const& [text, names] : texts.entries()) {
+        if (lines.size() == most) {
+            lines.push_back(fmt::format("{} more: overturn plan --full", texts.entries().size() - most));
+            break;
+        }
+        lines.push_back(fmt::format("{}: {}.", names_text(names, 2), text));
+    }
+    return lines;
 }
 
 Json bodies_json(CampaignSpec const& spec) {

@@ -13,7 +13,10 @@ namespace overturn::cli {
 /// \param most rows; where there are more bodies, half as many texts and at least four. The others are counted
 [[nodiscard]] std::string bodies_text(CampaignSpec const& spec, output::ShownVelocity const& unit, std::size_t most);
 
-/// The same of all bodies, in SI, with what holds of each.
+/// Friction, base and pad of the bodies, and the restitution at which they rock: a line for each text, at most 12.
+[[nodiscard]] Json supports_of(CampaignSpec const& spec);
+
+/// The rows of all bodies, in SI, with what holds of each.
 [[nodiscard]] Json bodies_json(CampaignSpec const& spec);
 
 }  // namespace overturn::cli

@@ -17,6 +17,7 @@
 #include "cli/fit_options.hpp"
 #include "cli/json_values.hpp"
 #include "cli/outcome_report.hpp"
+#include "cli/plan_bodies.hpp"
 #include "cli/rare_waves_json.hpp"
 #include "cli/report_bodies.hpp"
 #include "cli/report_checks.hpp"
@@ -184,6 +185,7 @@ Json begun(ReportOptions const& options, CampaignSpec const& spec) {
     data["figures"] = options.figures.empty() ? "" : hexadecimal(fs::absolute(options.figures).string());
     data["parts"] = outlines_of(spec);
     data["placements"] = placements_of(spec);
+    data["supports"] = supports_of(spec);
     data["units"] = units_json(spec, options.unit);
     return data;
 }

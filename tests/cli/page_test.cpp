@@ -109,6 +109,19 @@ TEST_F(Page, StatesHowABodyStandsThatIsNotStraight) {
               "15.04° towards -x; what the table says is of the weaker side.");
 }
 
+// The restitution of a rim is not that of the table of bodies: the page states the one that was computed with.
+TEST_F(Page, StatesFrictionAndTheRestitutionOfABase) {
+    run(quick_campaign(), {"--set", "bodies.1.base={shape=\"round\"}", "--set", "waves.count=3"});
+    auto const lines = data_of({"report", "c.h5", "-o"}, "page.html").at("supports");
+    ASSERT_EQ(lines.size(), 3U) << lines;
+    EXPECT_EQ(lines.at(0), "cask: no slip.");
+    EXPECT_TRUE(lines.at(1).get<std::string>().starts_with("block: friction 0.5 ")) << lines;
+    auto const base = lines.at(2).get<std::string>();
+    EXPECT_TRUE(base.starts_with("block: round base on its continuous rim, 98 Hz, elastic; rocks with restitution 0."))
+        << base;
+    EXPECT_TRUE(base.ends_with("(follows from the base, not from e).")) << base;
+}
+
 // A body of 12 m under a length ratio of 0.4 is drawn at 0.4 of its size.
 TEST_F(Page, DrawsAModelAtItsOwnSize) {
     auto campaign = quick_campaign();

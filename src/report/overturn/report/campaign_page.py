@@ -143,7 +143,7 @@ class Report:
                              "bodies to one scale")
                  for part, shown in in_pages(self.results.bodies, body_figure.MOST_ON_A_PAGE)]
         self.section("bodies", "The bodies", *drawn,
-            table("the bodies", head, rows, self.notes["bodies"]), paragraphs(self.data["placements"]))
+            table("the bodies", head, rows, self.notes["bodies"]), paragraphs([*self.data["supports"], *self.data["placements"]]))
 
     def waves(self):
         parts = []
