@@ -65,7 +65,9 @@ StatusReport report_of_file(std::string const& path, Unverified const& unverifie
                                           .planned = planned,
                                           .waves_text = waves,
                                           .changed = changed});
-    report.more = output::missed_clauses_text(counted.missed_clauses());
+    auto const digest = file.text("content_sha256");
+    report.more = (digest.empty() ? std::string() : fmt::format("content_sha256 {}\n", digest))
+                  + output::missed_clauses_text(counted.missed_clauses());
     output::FailedTrials failed(spec);
     auto const ids = file.integers("waves/id");
     bool const judged = spec.measures.wave_quality && file.has("waves/acceptance_failures");
@@ -92,6 +94,7 @@ StatusReport report_of_file(std::string const& path, Unverified const& unverifie
     }
     report.facts = {{"complete", true},
                     {"edited", changed},
+                    {"content_sha256", digest},
                     {"title", file.text("title")},
                     {"waves", counts_json(counted.waves(), planned)},
                     {"trials", {{"counted", trials}, {"planned", trials_of(spec, planned)}, {"failed", failures}}}};

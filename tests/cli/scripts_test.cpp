@@ -60,6 +60,9 @@ TEST_F(Scripts, StatusIsJson) {
     auto const file = told({"status", "done.h5", "--json"});
     EXPECT_EQ(file["complete"], true);
     EXPECT_EQ(file["edited"], false);
+    auto const digest = file["content_sha256"].get<std::string>();
+    EXPECT_EQ(digest.size(), 64U);
+    EXPECT_NE(overturn(folder, {"status", "done.h5"}).out.find("content_sha256 " + digest + "\n"), std::string::npos);
     EXPECT_EQ(file["waves"]["counted"], 3);
     EXPECT_EQ(file["trials"], (json{{"counted", 18}, {"planned", 18}, {"failed", 0}}));
     EXPECT_TRUE(file["extension"].is_null());
