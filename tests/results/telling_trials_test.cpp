@@ -99,7 +99,9 @@ TEST(TrialsToInspect, GiveTheCommandThatReplaysThem) {
     auto const text = output::telling_text(spec, found, "some.h5");
 
     EXPECT_NE(text.find("overturn replay some.h5 --trial N"), std::string::npos) << text;
-    EXPECT_NE(text.find("overturned at " + spec.levels.text(3)), std::string::npos) << text;
+    EXPECT_NE(text.find("fell at\n"), std::string::npos) << text;
+    EXPECT_NE(text.find(spec.levels.text(3) + "\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find(" \n"), std::string::npos) << text;
     EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2 + 7) << text;
     EXPECT_EQ(output::telling_text(spec, std::vector<TellingTrial>{}, "some.h5"), "");
 }

@@ -63,18 +63,17 @@ std::string telling_text(CampaignSpec const& spec, std::span<TellingTrial const>
         wide = std::max(wide, text_width(body.name));
     }
     auto const slip = typed_units(spec).slip;
-    auto text = fmt::format(
-        "trials to inspect (overturn replay {} --trial N)\n"
-        "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11} {:>9}\n",
-        file, "body", wide, "kind", "trial", "wave", spec.levels.measure_name(), "verdict", "peak/alpha",
-        "slip " + slip.symbol);
+    auto const row = [&](auto const&... cells) {
+        return fmt::format("{:<{}}  {:<16} {:>7} {:>6} {:>9}  {:<15} {:>10} {:>8} {:>9}\n", cells...);
+    };
+    auto text = fmt::format("trials to inspect (overturn replay {} --trial N)\n", file)
+                + row("body", wide, "kind", "trial", "wave", spec.levels.measure_name(), "verdict", "peak/alpha",
+                      "slip " + slip.symbol, "fell at");
     for (auto const& t : trials) {
-        text += fmt::format(
-            "{:<{}}  {:<16} {:>8} {:>7} {:>14}  {:<12} {:>11.4g} {:>9.4g}{}\n", spec.bodies[t.body].name, wide,
-            telling_kinds.at(static_cast<std::size_t>(t.kind)), t.trial, t.wave, spec.levels.text(t.amplitude),
-            entry_of(t.verdict).name, t.peak_rotation_ratio, slip.of(t.peak_slip_m),
-            std::isnan(t.overturned_at) ? std::string()
-                                        : fmt::format("  overturned at {}", spec.levels.text(t.overturned_at)));
+        text += row(spec.bodies[t.body].name, wide, telling_kinds.at(static_cast<std::size_t>(t.kind)), t.trial, t.wave,
+                    spec.levels.text(t.amplitude), entry_of(t.verdict).name,
+                    fmt::format("{:.4g}", t.peak_rotation_ratio), fmt::format("{:.4g}", slip.of(t.peak_slip_m)),
+                    std::isnan(t.overturned_at) ? std::string("-") : spec.levels.text(t.overturned_at));
     }
     return text;
 }
