@@ -77,7 +77,7 @@ Json page_notes(Answered const& of) {
          "same waves."},
         {"quantiles",
          "In brackets: distribution-free confidence interval (order statistics), open where there are too few trials. "
-         "A body that overturned counts as larger than every slip, and as a rotation of π/2."},
+         "A trial that overturned counts as larger than every slip and rotation."},
         {"assumptions", text_of(tally_of(physical_inputs(of.spec))) + "."},
         {"more_inputs", "{more} more: overturn fit --json lists all."},
         {"no_more_effects", "affects trials that require no further effect"},

@@ -156,7 +156,7 @@ class Report:
         if spectra:
             parts.append(self.figure("spectra", lambda path: spectra_figure.draw(spectra, path), "spectra of many waves"))
         quality = self.figure("wave-quality", lambda path: trial_figures.wave_quality(self.results, path),
-                              "waves held against their target")
+                              "misfit and duration of the waves")
         notes = list(self.data["wave_notes"])
         self.section("waves", "The waves", *parts, quality, paragraphs(notes))
 

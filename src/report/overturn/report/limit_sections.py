@@ -21,10 +21,9 @@ def answer_table(sheet):
     """The answer: what `fit` prints first."""
     if not sheet["rows"]:
         return ""
-    width = len(sheet["head"])
-    rows = [row + [""] * (width - len(row)) for row in sheet["rows"]]
-    head = [sheet["head"][0], "answer", *sheet["head"][2:]]
-    return (table(f"answer. {sheet['title']}", head, rows)
+    measure, _, *levels = sheet["head"]
+    head = ["body", "answer", *(f"{measure} {level}" for level in levels)]
+    return (table(f"answer. {sheet['title']}", head, sheet["rows"])
             + paragraphs(filter(None, [sheet["left_out"], sheet["depends"]])))
 
 
@@ -51,6 +50,16 @@ def probability(quoted):
     if quoted["probability"] is None and quoted["bounds_from"] == "neighbours":
         return f"{low_of(quoted['lower'], 2)} to {high_of(quoted['upper'], 2)}"
     return value_of(quoted["probability"], 2)
+
+
+def median_over(report, fit):
+    """The median over a measure and its unit: that of the campaign for the levels' measure and for velocities."""
+    if fit["measure"] == report.results.measure:
+        one, unit = report.results.in_units(1)
+        return value_of(fit["median"] and fit["median"] * float(one), 4), unit
+    if fit["units"] == "m/s" and fit["median"] is not None:
+        return value_of(style.speed(fit["median"]), 4), style.speed_unit()
+    return value_of(fit["median"], 4), fit["units"]
 
 
 def together(report, limit):
@@ -101,7 +110,7 @@ def curves(report, limit):
     what = "overturning" if limit == OVERTURNING else f"exceeding {report.said[limit]}"
     bodies = len(report.results.bodies)
     many = bodies > fragility_figures.MOST_COMPARED
-    ranked = [[f["body"], f["label"], value_of(f["median"], 4), f["units"], value_of(f["beta"], 3), interval(ends(f, "beta"), 3),
+    ranked = [[f["body"], f["label"], *median_over(report, f), value_of(f["beta"], 3), interval(ends(f, "beta"), 3),
                value_of(f["rank_area"], 3), interval(ends(f, "rank_area"), 3), ", ".join(f["flags"]) or "none"] for f in fits.values()]
     counts = table(f"counts at every level: {what}", head, rows, kind="sortable")
     over_all = [] if report.fit["grid"] else [
@@ -143,7 +152,7 @@ def limits(report):
     names = [limit["name"] for limit in stated]
     report.rows("limits", [s for name in names for s in report.stripes[name]])
     report.rows("limit-fragility", fits_told(report, names))
-    report.section("limits", "Limit states of the campaign's own", *parts)
+    report.section("limits", "Further limit states", *parts)
 
 
 def spread(row, key):
@@ -158,6 +167,12 @@ def in_unit(row, kind):
             **({"units": style.unit(kind)} if kind else {})}
 
 
+def without_fallen(row, fallen):
+    """A row of percentiles without those that stand for a body that overturned."""
+    ends = [key + end for key, _ in QUANTILES for end in ("", "_lower", "_upper")]
+    return {**row, **{key: None for key in ends if row[key] is not None and row[key] >= fallen}}
+
+
 def responses(report):
     """Median, 84 % and 95 % per level, drawn and as a table."""
     parts = []
@@ -166,6 +181,7 @@ def responses(report):
     for body in report.results.bodies:
         for quantity, (name, kind) in RESPONSES.items():
             unit = style.unit(kind) if kind else ""
+            fallen = 1.570796 / body.numbers["alpha_rad"] if quantity == "peak_rotation_ratio" else float("inf")
             mine = [in_unit(q, kind) for q in rows if q["body"] == body.name and q["quantity"] == quantity]
             if not any(q["p95"] or q["overturned"] for q in mine):
                 continue
@@ -177,7 +193,7 @@ def responses(report):
             what = f"{body.name}: {name}{f' [{unit}]' if unit else ''}"
             parts += [f"<h4>{escape(what)}</h4>", drawn,
                       table(what, ["level", *(title for _, title in QUANTILES), "trials"],
-                            [[report.amplitude(q["amplitude"]), *(spread(q, key) for key, _ in QUANTILES), q["trials"]]
+                            [[report.amplitude(q["amplitude"]), *(spread(without_fallen(q, fallen), key) for key, _ in QUANTILES), q["trials"]]
                              for q in mine])]
     if parts:
         report.section("responses", "Slip and tilt", *parts, paragraphs([report.notes["quantiles"]], " class=quiet"))

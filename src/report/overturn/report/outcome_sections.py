@@ -157,4 +157,4 @@ def add(report):
         parts.append(f"<h4>{escape(report.notes['outcomes']['histories'])}</h4>\n{paragraphs([told['histories_of']], ' class=quiet')}")
         parts += [report.figure(f"false-safe-{one['body']}-{one['trial']}", lambda path, one=one: history_figure.draw(one, path),
                                 f"history of {one['title']}") for one in shown]
-    report.section("outcomes", "Held against real outcomes", *parts)
+    report.section("outcomes", "Comparison with test outcomes", *parts)

@@ -56,7 +56,7 @@ th button::after { content: " \\2195"; opacity: .6; } th[aria-sort=ascending] bu
   th button { display: contents; } th button::after { content: "" !important; }  /* a box would be blank where a heading is repeated */
   h1, h2, h3, h4, caption { break-after: avoid; } h2 { margin-top: 1.2rem; } p, li { orphans: 3; widows: 3; }
   figure, tr, .identity, .signatures, table:not(:has(tbody tr:nth-child(13))) { break-inside: avoid; }  /* a short table stays whole */
-  .answer { font-size: 9pt; } .answer table { font-size: 8.5pt; } figure svg { min-width: 0; mix-blend-mode: normal; max-height: 88mm; margin: 0 auto; } #bodies figure svg { max-height: 50mm; }
+  .answer { font-size: 9pt; } .answer table { font-size: 8.5pt; } figure svg { min-width: 0; mix-blend-mode: normal; max-height: 108mm; margin: 0 auto; } #bodies figure svg { max-height: 50mm; }
   thead, tbody tr:first-child { break-inside: avoid; break-after: avoid; }
   .scroll, .fold { overflow: visible; background: none; } .fold { max-height: none; border: 0; padding: 0; } pre { margin: 0; font-size: 7.5pt; }
   table { font-size: 7.5pt; } .short { white-space: normal; } th, td { padding: .1rem .3rem; overflow-wrap: break-word; }
