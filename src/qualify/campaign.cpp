@@ -81,7 +81,7 @@ values = {from = "300 gal", to = "1500 gal", count = 7}
 
 // SHA-256 of the digests of all stored rows, by kind of machine: the same on every x86-64 CPU.
 std::string known_rows(std::string const& kind) {
-    return kind == "x86-64" ? "94f3a634c42cddf0d562956a0bafd9b17164a08c8dbb8398c6fa8d5a74569f4d" : "";
+    return kind == "x86-64" ? "a96cdb89f380be033d00c68ba046313033add34d2b6b22adf409c747f0a92dab" : "";
 }
 
 CampaignInput campaign() {
