@@ -93,7 +93,7 @@ ContactInstant ContactRun::instant() const {
 // Of the corner that it leans on: rocking about a corner moves the middle of the base, not that corner.
 double ContactRun::slip_m() const {
     double const sine = get(ContactField::sine);  // the cosine's last digits drift
-    double const lifted = planar_.half_width_m * sine * sine / (1 + get(ContactField::cosine));
+    double const lifted = planar_.half_width_m * sine * sine / (1 + std::abs(get(ContactField::cosine)));
     return get(ContactField::sway) - planar_.centre_height_m * get(ContactField::sine)
            - std::copysign(lifted, get(ContactField::rotation));
 }
@@ -111,8 +111,8 @@ void ContactRun::fill_peaks(ContactOutcome& out) const {
     out.steps = static_cast<std::int64_t>(get(ContactField::steps));
     out.friction_demand = out.friction_work_jpkg = never;
     out.min_contact_force_ratio = out.steps > 0 ? get(ContactField::least_force) / g : 1;
+    out.peak_slip_m = get(ContactField::most_slip);
     out.residual_slip_m = slip_m();
-    out.peak_slip_m = std::max(get(ContactField::most_slip), std::abs(out.residual_slip_m));
     out.end_sway_mps = get(ContactField::sway_speed);
     out.extra.peak_crush_m = deepest_crush();
     out.extra.peak_contact_force_ratio = std::max(1.0, get(ContactField::most_force) / g);

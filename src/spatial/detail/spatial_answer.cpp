@@ -153,30 +153,27 @@ void SpatialRun::fill_peaks(SpatialOutcome& out) const {
     out.response_velocity_mps = std::sqrt(2 * g * lift);
     out.residual_m = base_centre();
     auto const r = rotation();
-    double const lifted = block_.edge_m * std::hypot(r[2], r[5]) / (1 + r[8]);  // on past 90 degrees, where it lies
-    std::array const edge{out.residual_m[0] - lifted * r[2], out.residual_m[1] - lifted * r[5]};
-    out.residual_slip_m = std::hypot(edge[0], edge[1]);
+    double const lifted = block_.edge_m * std::hypot(r[2], r[5]) / (1 + std::abs(r[8]));
+    out.residual_slip_m = std::hypot(out.residual_m[0] - lifted * r[2], out.residual_m[1] - lifted * r[5]);
+    out.peak_slip_m = std::sqrt(get(State::most_slip));
     // The last step's end has no step that would have recorded it.
-    out.peak_slip_m = std::max(std::sqrt(get(State::most_slip)), out.residual_slip_m);
-    double const yaw = instant().yaw_rad;
     auto const reach = [&](double slope) { return block_.reach_m * std::sqrt(std::max(1 - slope * slope, 0.0)); };
     double const h = planar_.centre_height_m;
     double const top = std::hypot(get(State::x) + h * r[2], get(State::y) + h * r[5]);
     out.end_velocity_mps = {get(State::vx), get(State::vy), get(State::vz)};
-    out.extra = {
-        .peak_crush_m = deepest_crush(),
-        .peak_contact_force_ratio = std::max(1.0, get(State::most_force) / g),
-        .peak_rise_m = get(State::most_rise) + planar_.settlement_m(),
-        .yaw_rad = yaw,
-        .peak_yaw_rad = std::max(yaw_of(get(State::most_yaw)), std::abs(yaw)),
-        .slip_path_m = get(State::slip_path) + std::hypot(edge[0] - get(State::base_x), edge[1] - get(State::base_y)),
-        .residual_x_m = out.residual_m[0],
-        .residual_y_m = out.residual_m[1],
-        .edge_x_most_m = std::max(get(State::most_x), out.residual_m[0] + reach(r[2])),
-        .edge_x_least_m = std::min(get(State::least_x), out.residual_m[0] - reach(r[2])),
-        .edge_y_most_m = std::max(get(State::most_y), out.residual_m[1] + reach(r[5])),
-        .edge_y_least_m = std::min(get(State::least_y), out.residual_m[1] - reach(r[5])),
-        .peak_top_m = std::max(std::sqrt(get(State::most_top)), top)};
+    out.extra = {.peak_crush_m = deepest_crush(),
+                 .peak_contact_force_ratio = std::max(1.0, get(State::most_force) / g),
+                 .peak_rise_m = get(State::most_rise) + planar_.settlement_m(),
+                 .yaw_rad = instant().yaw_rad,
+                 .peak_yaw_rad = yaw_of(get(State::most_yaw)),
+                 .slip_path_m = get(State::slip_path),
+                 .residual_x_m = out.residual_m[0],
+                 .residual_y_m = out.residual_m[1],
+                 .edge_x_most_m = std::max(get(State::most_x), out.residual_m[0] + reach(r[2])),
+                 .edge_x_least_m = std::min(get(State::least_x), out.residual_m[0] - reach(r[2])),
+                 .edge_y_most_m = std::max(get(State::most_y), out.residual_m[1] + reach(r[5])),
+                 .edge_y_least_m = std::min(get(State::least_y), out.residual_m[1] - reach(r[5])),
+                 .peak_top_m = std::max(std::sqrt(get(State::most_top)), top)};
 }
 
 // As it is at the end of the first step beyond pi/2.
