@@ -74,8 +74,6 @@ struct Footing {
     std::optional<double> inertia_across_kgm2 = {}, inertia_vertical_kgm2 = {};
     /// Of a continuous rim that stands as points because its pad yields.
     bool rim_as_points = false;
-    /// A match was asked for, but no restitution to match was stated, and the base has one that emerges.
-    bool match_has_no_aim = false;
     /// Whether base or pad were stated at all: a body that says nothing stands on a square base on its corners.
     bool stated = false;
 };

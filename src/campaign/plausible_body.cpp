@@ -223,7 +223,8 @@ constexpr std::array body_ranges{
 std::vector<std::string> warnings_of(BodySpec const& body) {
     auto lines = unusual(body, std::span<OfBody const>(body_ranges));
     std::ranges::move(loose_parts(body), std::back_inserter(lines));
-    if (body.footing.match_has_no_aim) {
+    auto const& asked = body.stated_footing.pad;
+    if (asked.match_is_stated && asked.match_restitution && !body.footing.pad.match_restitution) {
         lines.emplace_back(
             "pad.match_restitution = true changes nothing: no restitution is stated, and this base has one that "
             "follows from its shape and pad. State restitution, or leave the key out");

@@ -92,10 +92,12 @@ std::string moved_text(OneResponse const& of, ShownVelocity const& unit) {
     text += fmt::format("slip             {:.6g} {} at most, {:.6g} {} at the end\n", r.peak_slip_m / slip.si,
                         slip.symbol, r.residual_slip_m / slip.si, slip.symbol);
     if (entry_of(r.verdict).fell) {
-        text += fmt::format("overturned       {}, lies with {:.4g} rad/s", time_text(r.overturn_time_s),
-                            r.landing_spin_radps);
-        text += fmt::format(", its centre of gravity with {}, its top with {}, {:.4g} kJ per t\n",
-                            unit.text(r.landing_velocity_mps), unit.text(r.landing_top_mps), r.landing_energy_jpkg);
+        text += fmt::format(
+            "overturned       {}, lies with {:.4g} rad/s, its centre of gravity with {}, its top with {}, {:.4g} kJ "
+            "per "
+            "t\n",
+            time_text(r.overturn_time_s), r.landing_spin_radps, unit.text(r.landing_velocity_mps),
+            unit.text(r.landing_top_mps), r.landing_energy_jpkg);
     }
     text += std::isnan(r.first_uplift_s)
                 ? std::string("uplift           never\n")

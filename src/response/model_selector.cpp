@@ -228,9 +228,9 @@ Response ModelSelector::conclude(TrialState const& state) const {
 
 double ModelSelector::own_value(Response const& response, std::string_view name, std::span<std::byte const> own) const {
     for (auto const& [traits, offset] : extra_parts_) {
-        auto const field = std::ranges::find(traits->fields, name, &Field::name);
-        if (traits->number == response.model && field != traits->fields.end()) {
-            return real_at(own.subspan(offset), *field);
+        if (traits->number == response.model) {
+            auto const field = std::ranges::find(traits->fields, name, &Field::name);
+            return field == traits->fields.end() ? never : real_at(own.subspan(offset), *field);
         }
     }
     return never;

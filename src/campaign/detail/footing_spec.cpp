@@ -243,7 +243,6 @@ void settle_footing(Table const& table, BodySpec& spec) {
     bool const states_restitution = spec.stated.restitution.has_value();
     bool const of_its_own = base.shape == BaseShape::round || base.is_bed();
     if (of_its_own && !states_restitution) {
-        footing.match_has_no_aim = footing.pad.match_restitution && footing.pad.match_is_stated;
         footing.pad.match_restitution = false;  // a bed or a rim has a restitution of its own
     }
     if (!footing.stated && !footing.inertia_across_kgm2 && !footing.inertia_vertical_kgm2) {
