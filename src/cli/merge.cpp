@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "cli/collective.hpp"
 #include "cli/text_choice.hpp"
 #include "cli/verbs.hpp"
 
@@ -16,7 +17,10 @@ void add_merge(CommandLine& line) {
     packing->offered_by(verb);
     text->offered_by(verb);
     verb.does([path, text, packing] {
-        return merge_parts(*path, {packing->layout(), text->options()}) == MergeEnd::complete ? done : resumable;
+        return on_all_ranks([&](parallel::Communicator const& comm) {
+            return merge_parts(*path, comm, {packing->layout(), text->options()}) == MergeEnd::complete ? done
+                                                                                                        : resumable;
+        });
     });
 }
 

@@ -54,7 +54,7 @@ std::string thinned_line(Plan const& plan) {
     }
     return labelled("thinned",
                     fmt::format("intervals by waves, and curves over other measures than the levels', see the "
-                                "first {} waves of {} (20 million trials); stripes see all",
+                                "first {} waves of {} (2 million trials); stripes see all",
                                 waves, plan.waves()));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include <fmt/ranges.h>
 
@@ -45,7 +46,70 @@ void number_bodies(store::ResultsWriter& file, CampaignSpec const& spec) {
     }
 }
 
+// The tables of rows, by their numbers in the file. They come first, in this order.
+struct RowTables {
+    std::size_t waves = 0, trials = 0;
+    std::vector<std::size_t> measures, own;
+
+    // \param add table and whether its rows are trials -> number
+    template <class Add> RowTables(CampaignSpec const& spec, Add&& add) {
+        waves = add(wave_table(spec), false);
+        for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+            if (auto table = measure_table(spec, b); !table.columns.empty()) {
+                measures.push_back(add(std::move(table), false));
+            }
+        }
+        trials = add(trial_table(spec), true);
+        for (auto& table : extra_tables(ModelSelector(spec.effects, spec.accuracy))) {
+            own.push_back(add(std::move(table), true));
+        }
+    }
+
+    // put(table, whether its rows are trials, bytes)
+    template <class Put> void each(BlockRows const& rows, Put&& put) const {
+        put(waves, false, std::as_bytes(std::span(rows.waves)));
+        for (auto const table : measures) {
+            put(table, false, std::as_bytes(std::span(rows.measures)));
+        }
+        put(trials, true, std::as_bytes(std::span(rows.trials.rows)));
+        for (auto const table : own) {
+            put(table, true, std::span<std::byte const>(rows.trials.extra));
+        }
+    }
+};
+
+// Counts come from all processes, and the trials for the curves from the first blocks.
+void write_together(store::ResultsWriter& file, Plan const& drawn, Plan const& chosen,
+                    std::function<std::vector<std::byte>(std::int64_t)> const& block, Statistics& statistics,
+                    WritingHelp const& help) {
+    statistics.add_counts(help.rows(file.give_places(), chosen));
+    for (auto const b : blocks_of_chosen(drawn, chosen)) {
+        if (!statistics.keep(BlockRows::unpack(block(b), drawn, drawn.waves_of_block(b).count))) {
+            break;
+        }
+    }
+}
+
 }  // namespace
+
+std::vector<std::int64_t> write_rows_in_place(CampaignSpec const& spec, Plan const& drawn, store::BlockRange blocks,
+                                              std::function<std::vector<std::byte>(std::int64_t)> const& block,
+                                              store::RowPlaces const& places) {
+    std::size_t count = 0;
+    RowTables const tables(spec, [&](store::TableSpec const& /*table*/, bool /*trials*/) { return count++; });
+    store::PlacedRows file(places);
+    Statistics statistics(spec, TrialsHeld::none);
+    for (auto b = blocks.first; b < blocks.last; ++b) {
+        auto const waves = drawn.waves_of_block(b);
+        auto const rows = BlockRows::unpack(block(b), drawn, waves.count);
+        tables.each(rows, [&](std::size_t table, bool trials, std::span<std::byte const> bytes) {
+            file.write(table, trials ? waves.first * drawn.trials_per_wave() : waves.first, bytes);
+        });
+        statistics.add(rows);
+    }
+    file.finish();
+    return statistics.counts();
+}
 
 void write_provenance(store::ResultsWriter& file, std::string const& format, std::int64_t version,
                       CampaignInput const& input, std::string const& title) {
@@ -65,35 +129,26 @@ void write_provenance(store::ResultsWriter& file, std::string const& format, std
 std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
                                         std::function<std::vector<std::byte>(std::int64_t)> const& block,
-                                        Statistics& statistics, std::span<RareBody const> rare, store::Layout layout) {
+                                        Statistics& statistics, std::span<RareBody const> rare, store::Layout layout,
+                                        WritingHelp const* help) {
     store::ResultsWriter file(path, layout);
     write_campaign(file, input, spec);
-    auto const waves = file.table(wave_table(spec), chosen.waves());
-    std::vector<std::size_t> measures;
-    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        if (auto table = measure_table(spec, b); !table.columns.empty()) {
-            measures.push_back(file.table(std::move(table), chosen.waves()));
-        }
-    }
-    auto const trials = file.table(trial_table(spec), chosen.trials());
-    std::vector<std::size_t> own;
-    for (auto& table : extra_tables(ModelSelector(spec.effects, spec.accuracy))) {
-        own.push_back(file.table(std::move(table), chosen.trials()));
-    }
+    RowTables const tables(spec, [&](store::TableSpec table, bool trials) {
+        return file.table(std::move(table), trials ? chosen.trials() : chosen.waves());
+    });
     std::vector<WaveRow> refused;
-    for (auto const b : blocks_of_chosen(drawn, chosen)) {
-        auto all = BlockRows::unpack(block(b), drawn, drawn.waves_of_block(b).count);
-        std::ranges::copy(refused_rows(all, drawn, b, chosen), std::back_inserter(refused));
-        auto const rows = rows_of_chosen(std::move(all), drawn, b, chosen);
-        file.append(waves, std::as_bytes(std::span(rows.waves)));
-        for (auto const table : measures) {
-            file.append(table, std::as_bytes(std::span(rows.measures)));
+    if (help != nullptr) {
+        write_together(file, drawn, chosen, block, statistics, *help);
+    } else {
+        for (auto const b : blocks_of_chosen(drawn, chosen)) {
+            auto all = BlockRows::unpack(block(b), drawn, drawn.waves_of_block(b).count);
+            std::ranges::copy(refused_rows(all, drawn, b, chosen), std::back_inserter(refused));
+            auto const rows = rows_of_chosen(std::move(all), drawn, b, chosen);
+            tables.each(rows, [&](std::size_t table, bool /*trials*/, std::span<std::byte const> bytes) {
+                file.append(table, bytes);
+            });
+            statistics.add(rows);
         }
-        file.append(trials, std::as_bytes(std::span(rows.trials.rows)));
-        for (auto const table : own) {
-            file.append(table, rows.trials.extra);
-        }
-        statistics.add(rows);
     }
     if (spec.source->about().acceptance.refuses()) {
         file.append(file.table(refused_wave_table(spec), refused.size()), std::as_bytes(std::span(refused)));
@@ -114,7 +169,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
     write_rare_record(file, spec, rare);
     number_bodies(file, spec);
     file.attribute("complete", std::int64_t{1});
-    file.finish();
+    file.finish(help != nullptr ? help->hash : store::hash_stretches);
     return analysis;
 }
 

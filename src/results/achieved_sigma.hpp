@@ -41,6 +41,8 @@ class SigmaCount {
   public:
     explicit SigmaCount(CampaignSpec const& spec);
     void add(WaveRow const& row);
+    /// Is there anything to count: are waves matched to drawn Sa?
+    [[nodiscard]] bool counts() const { return !sums_.empty(); }
     /// Nothing where waves are not matched to drawn Sa, or fewer than two are independent.
     [[nodiscard]] std::optional<AchievedSigma> achieved(std::int64_t missed) const;
 

@@ -32,9 +32,9 @@ struct TrialOutcome {
 
 /// Largest number of trials held. In a larger campaign, curves over other measures than the levels' and all resampling
 /// use the first waves alone.
-inline constexpr std::size_t most_trials_held = 20'000'000;
+inline constexpr std::size_t most_trials_held = 2'000'000;
 
-/// Holds the first trials, whole waves of them, until there are twenty million: a campaign of any size is merged in
+/// Holds the first trials, whole waves of them, until there are two million: a campaign of any size is merged in
 /// bounded memory and time. Each takes 80 bytes and 8 bytes for every measure that does not scale with its wave.
 class MeasuredTrials {
   public:

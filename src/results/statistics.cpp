@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/error.hpp"
 #include "response/registry.hpp"
 #include "results/detail/fitted_measures.hpp"
 
@@ -80,6 +81,74 @@ void Statistics::add(BlockRows const& block) {
     for (std::size_t t = 0; t < rows.size(); ++t) {
         add(rows[t], std::span(block.trials.extra).subspan(t * own, own));
     }
+}
+
+bool Statistics::keep(BlockRows const& block) {
+    auto const each = bodies_.size();
+    for (std::size_t w = 0; w < block.waves.size(); ++w) {
+        measured_.add(block.waves[w], std::span(block.measures).subspan(w * each, each));
+    }
+    auto const& rows = block.trials.rows;
+    auto const own = rows.empty() ? 0 : block.trials.extra.size() / rows.size();
+    for (std::size_t t = 0; t < rows.size(); ++t) {
+        measured_.add(rows[t], judge_.judge(rows[t], std::span(block.trials.extra).subspan(t * own, own)));
+    }
+    return measured_.passed_by() == 0;
+}
+
+bool Statistics::add_up(CampaignSpec const& spec) {
+    return !spec.is_grid() && !spec.source->about().acceptance.asked() && !SigmaCount(spec).counts();
+}
+
+template <class Self, class Visit> void Statistics::each_count(Self& self, Visit&& visit) {
+    auto const all = [&](auto& numbers) { std::ranges::for_each(numbers, visit); };
+    auto const stripes = [&](auto& of_levels) {
+        for (auto& stripe : of_levels) {
+            for (auto* const number : {&stripe.trials, &stripe.overturned, &stripe.failed, &stripe.undecided}) {
+                visit(*number);
+            }
+        }
+    };
+    auto const predictions = [&](auto& of_levels) {
+        for (auto& c : of_levels) {
+            for (auto* const number : {&c.false_safe, &c.false_alarm, &c.true_safe, &c.true_overturn, &c.undecided_safe,
+                                       &c.undecided_unsafe}) {
+                visit(*number);
+            }
+        }
+    };
+    auto& waves = self.waves_;
+    for (auto* const number : {&waves.waves, &waves.failed, &waves.not_accepted, &waves.refused, &waves.missed}) {
+        visit(*number);
+    }
+    for (auto& body : self.bodies_) {
+        stripes(body.stripes);
+        for (auto& limit : body.limits) {
+            stripes(limit.stripes);
+            visit(limit.unknown);
+            visit(limit.fell_within);
+        }
+        predictions(body.v_wes);
+        predictions(body.ou_v_e);
+        std::ranges::for_each(body.ends, all);
+        std::ranges::for_each(body.called, all);
+        all(body.left_out);
+        all(body.fell_after_record);
+        all(body.peaked_after_record);
+        all(body.models);
+    }
+}
+
+std::vector<std::int64_t> Statistics::counts() const {
+    std::vector<std::int64_t> counts;
+    each_count(*this, [&](std::int64_t count) { counts.push_back(count); });
+    return counts;
+}
+
+void Statistics::add_counts(std::span<std::int64_t const> counts) {
+    std::size_t next = 0;
+    each_count(*this, [&](std::int64_t& count) { count += counts[next++]; });
+    OVERTURN_ENSURE(next == counts.size());
 }
 
 void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {

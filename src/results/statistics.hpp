@@ -74,6 +74,15 @@ class Statistics {
     /// \param measures one per body
     void add(WaveRow const& row, std::span<MeasureRow const> measures);
     void add(BlockRows const& block);
+    /// Keeps the trials of a block for the curves, and counts none. \return false where no more are kept
+    bool keep(BlockRows const& block);
+    /// Can counts be added up that were made of parts of the rows? Not where more than counts is taken from waves, one
+    /// by one in their order: of drawn targets, of a rule for waves, of a grid.
+    [[nodiscard]] static bool add_up(CampaignSpec const& spec);
+    /// All counts, in an order that the campaign decides. \pre add_up
+    [[nodiscard]] std::vector<std::int64_t> counts() const;
+    /// Adds counts() of another part of the rows.
+    void add_counts(std::span<std::int64_t const> counts);
     [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
     [[nodiscard]] WaveCounts const& waves() const { return waves_; }
     /// Clauses missed by refused waves, or by used ones that miss the rule.
@@ -86,6 +95,7 @@ class Statistics {
     [[nodiscard]] MeasuredTrials const& measured() const { return measured_; }
 
   private:
+    template <class Self, class Visit> static void each_count(Self& self, Visit&& visit);
     LimitJudge judge_;
     TrialsHeld held_;
     void count_after_record(TrialRow const& row, BodyStatistics& body) const;

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
+#include "campaign/rows.hpp"
 #include "core/error.hpp"
 #include "response/registry.hpp"
 #include "results/recount.hpp"
@@ -74,6 +76,44 @@ class Candidates {
     std::vector<TellingTrial> non_monotonic_;
 };
 
+// All bodies' candidates, as trials come in the order of their numbers.
+class Scan {
+  public:
+    Scan(CampaignSpec const& spec, Plan plan) : spec_(spec), plan_(std::move(plan)) {
+        for (auto const& body : spec.bodies) {
+            bodies_.emplace_back(body.friction.has_value());
+        }
+    }
+
+    void add(Verdict verdict, double peak_rotation_ratio, double peak_slip_m) {
+        auto const [wave, body, level] = plan_.trial(next_);
+        TellingTrial trial;
+        trial.trial = next_++;
+        trial.wave = plan_.number(wave);
+        trial.body = body;
+        trial.level = level;
+        trial.amplitude = spec_.levels.levels.at(level).value;
+        trial.verdict = verdict;
+        trial.peak_rotation_ratio = peak_rotation_ratio;
+        trial.peak_slip_m = peak_slip_m;
+        bodies_.at(body).add(trial);
+    }
+
+    [[nodiscard]] std::vector<TellingTrial> found() {
+        std::vector<TellingTrial> all;
+        for (auto& body : bodies_) {
+            body.append_to(all);
+        }
+        return all;
+    }
+
+  private:
+    CampaignSpec const& spec_;
+    Plan plan_;
+    std::vector<Candidates> bodies_;
+    std::int64_t next_ = 0;
+};
+
 }  // namespace
 
 std::vector<std::size_t> share_fairly(std::span<std::size_t const> offered, std::size_t most) {
@@ -103,36 +143,32 @@ std::vector<std::size_t> share_fairly(std::span<std::size_t const> offered, std:
 std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, Plan const& plan, TrialColumns const& columns) {
     OVERTURN_EXPECT(columns.verdicts.size() == columns.peak_rotation_ratios.size()
                     && columns.verdicts.size() == columns.peak_slips_m.size());
-    std::vector<Candidates> bodies;
-    for (auto const& body : spec.bodies) {
-        bodies.emplace_back(body.friction.has_value());
-    }
+    Scan scan(spec, plan);
     for (std::size_t t = 0; t < columns.verdicts.size(); ++t) {
-        std::int64_t const number = t;
-        auto const [wave, body, level] = plan.trial(number);
-        TellingTrial trial;
-        trial.trial = number;
-        trial.wave = plan.number(wave);
-        trial.body = body;
-        trial.level = level;
-        trial.amplitude = spec.levels.levels.at(level).value;
-        trial.verdict = columns.verdicts[t];
-        trial.peak_rotation_ratio = columns.peak_rotation_ratios[t];
-        trial.peak_slip_m = columns.peak_slips_m[t];
-        bodies.at(body).add(trial);
+        scan.add(columns.verdicts[t], columns.peak_rotation_ratios[t], columns.peak_slips_m[t]);
     }
-    std::vector<TellingTrial> all;
-    for (auto& body : bodies) {
-        body.append_to(all);
-    }
-    return all;
+    return scan.found();
 }
 
 std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, store::ResultsReader const& file) {
-    auto const verdicts = stored_verdicts(file);
-    auto const rotations = reals_or_unknown(file, "trials/peak_rotation_ratio", verdicts.size());
-    auto const slips = reals_or_unknown(file, "trials/peak_slip", verdicts.size());
-    return telling_trials(spec, plan_in(file, spec), {verdicts, rotations, slips});
+    constexpr std::int64_t at_once = 1 << 14U;  // a file may hold more than memory does
+    auto table = held_in(file, stored_trial_table(file, spec));
+    std::erase_if(table.columns, [](Field const& column) {
+        return column.name != "verdict" && column.name != "peak_rotation_ratio" && column.name != "peak_slip";
+    });
+    Scan scan(spec, plan_in(file, spec));
+    std::vector<TrialRow> rows;
+    auto const length = file.length("trials/verdict");
+    TrialRow unknown;
+    unknown.peak_rotation_ratio = unknown.peak_slip_m = never;
+    for (std::int64_t first = 0; first < length; first += at_once) {
+        rows.assign(std::min(at_once, length - first), unknown);
+        file.rows(table, length, first, std::as_writable_bytes(std::span(rows)));
+        for (auto const& row : rows) {
+            scan.add(row.verdict, row.peak_rotation_ratio, row.peak_slip_m);
+        }
+    }
+    return scan.found();
 }
 
 }  // namespace overturn

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,16 +17,16 @@
 #include "results/recount.hpp"
 #include "results/statistics.hpp"
 #include "results/telling_trials.hpp"
+#include "runner/detail/merging_ranks.hpp"
 #include "runner/detail/stopping.hpp"
 #include "runner/output_place.hpp"
+#include "runner/root_broadcast.hpp"
 #include "runner/runtime_file.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn {
 namespace {
-
-struct Interrupted {};
 
 // As a shell takes it for one word.
 std::string shell_word(std::string const& text) {
@@ -71,68 +72,42 @@ void require_same_program(CampaignInput const& begun, std::filesystem::path cons
         output.string(), begun.libraries, here.libraries);
 }
 
-// What the parts of a campaign left.
-struct PartsMerge {
-    std::filesystem::path const& output;
-    CampaignInput const& input;
-    CampaignSpec const& spec;
-    Plan const& whole;
-    store::ShardFolder const& shards;
-    MergeOptions const& options;
-
-    // Makes the file of these blocks, or names what is missing.
-    [[nodiscard]] MergeEnd with(std::vector<std::int64_t> const& blocks) const {
-        AcceptedWaves waves(spec, whole);
-        take_rows(waves, whole, shards, blocks);
-        validate(waves.hopeless().empty(), "{}: {}", input.name, waves.hopeless());
-        auto const chosen = chosen_of(spec, whole, waves, shards);
-        if (!chosen) {
-            auto const missing = waves.wanted(whole.count());
-            print_note("{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
-                       shards.folder().string(), whole.waves_text(missing), missing.size(), whole.blocks(),
-                       resume_command(input, output));
-            return MergeEnd::missing;
-        }
-        if (spec.rare) {
-            print_note("{}: the rare events are missing (all ranks work at them, stage by stage). Go on with: {}\n",
-                       shards.folder().string(), resume_command(input, output));
-            return MergeEnd::missing;
-        }
-        auto const segments = shards.segments();
-        auto const tables = merge_blocks(
-            output, input, spec, whole, *chosen, shards, [] { return true; }, {}, options);
-        write_runtime(output, segments);
-        fmt::print("{}results: {}\n", *tables, output.string());
-        return MergeEnd::complete;
+// What is said where not all that the parts were to do is there; empty where it is.
+std::string missing_text(BlocksToMerge const& parts, AcceptedWaves const& waves, bool chosen) {
+    auto const& shards = parts.shards;
+    if (!chosen) {
+        auto const missing = waves.wanted(parts.drawn.count());
+        return fmt::format("{}: waves {} are missing ({} of {} blocks). Run their parts again with --resume, or: {}\n",
+                           shards.folder().string(), parts.drawn.waves_text(missing), missing.size(),
+                           parts.drawn.blocks(), resume_command(parts.input, parts.output));
     }
-};
+    return parts.spec.rare ? fmt::format(
+               "{}: the rare events are missing (all ranks work at them, stage by stage). Go on with: {}\n",
+               shards.folder().string(), resume_command(parts.input, parts.output))
+                           : std::string();
+}
 
-}  // namespace
-
-std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
-                                        CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
-                                        store::ShardFolder const& shards, std::function<bool()> const& keep_running,
-                                        std::span<RareBody const> rare, MergeOptions const& options) {
-    Statistics statistics(spec);
-    auto const block = [&](std::int64_t number) {
-        if (!keep_running()) {
-            throw Interrupted();
-        }
-        return shards.read(number);
-    };
-    std::vector<BodyAnalysis> analysis;
-    try {
-        analysis = write_results(output, input, spec, drawn, chosen, block, statistics, rare, options.layout);
-    } catch (Interrupted const&) {
+// Of these blocks; nothing where some are missing, which is said.
+std::optional<Plan> chosen_of_parts(BlocksToMerge const& parts, std::vector<std::int64_t> const& blocks) {
+    AcceptedWaves waves(parts.spec, parts.drawn);
+    take_rows(waves, parts.drawn, parts.shards, blocks);
+    validate(waves.hopeless().empty(), "{}: {}", parts.input.name, waves.hopeless());
+    auto chosen = chosen_of(parts.spec, parts.drawn, waves, parts.shards);
+    if (auto const missing = missing_text(parts, waves, chosen.has_value()); !missing.empty()) {
+        print_note("{}", missing);
         return std::nullopt;
     }
-    shards.remove();
-    auto const& text = options.text;
+    return chosen;
+}
+
+std::string tables_of(BlocksToMerge const& what, Statistics const& statistics, std::vector<BodyAnalysis> analysis,
+                      std::span<RareBody const> rare, output::TextOptions const& text) {
+    auto const& spec = what.spec;
     tell_velocities(analysis, text.velocities ? text.velocities : typed_unit(spec, Dimension::velocity));
-    store::ResultsReader const file(output, store::Trust::unverified);
+    store::ResultsReader const file(what.output, store::Trust::unverified);
     auto const telling = text.wants("trials") ? telling_trials(spec, file) : std::vector<TellingTrial>{};
     auto const few = trials_of_few_waves(spec, file);
-    auto const hazard = stated_hazard(input, spec.levels);
+    auto const hazard = stated_hazard(what.input, spec.levels);
     auto const frequencies =
         hazard ? frequencies_of(spec, statistics, analysis, *hazard, spec.confidence) : std::vector<BodyFrequency>{};
     output::Answered const answered{.spec = spec,
@@ -145,8 +120,43 @@ std::optional<std::string> merge_blocks(std::filesystem::path const& output, Cam
                                  .rare = rare,
                                  .telling = telling,
                                  .hazard = hazard ? &*hazard : nullptr,
-                                 .file = output.string()},
+                                 .file = what.output.string()},
                                 text);
+}
+
+}  // namespace
+
+std::optional<std::string> merge_blocks(BlocksToMerge const& what, std::function<std::optional<Plan>()> const& chosen,
+                                        std::function<bool()> const& keep_running, std::span<RareBody const> rare,
+                                        MergeOptions const& options) {
+    constexpr char whole = '+';
+    MergingRanks const ranks(what.comm, what.spec, what.drawn, what.shards, keep_running);
+    std::string tables;
+    auto const lead = [&] {
+        auto const plan = chosen();
+        if (!plan) {
+            return;
+        }
+        Statistics statistics(what.spec);
+        auto analysis = write_results(
+            what.output, what.input, what.spec, what.drawn, *plan,
+            [&](std::int64_t block) { return ranks.read(block); }, statistics, rare, options.layout,
+            ranks.help(options.layout));
+        ranks.remove_blocks();
+        tables = whole + tables_of(what, statistics, std::move(analysis), rare, options.text);
+    };
+    if (!what.comm.is_root()) {
+        ranks.run({});
+    }
+    auto const text = broadcast_from_root(what.comm, [&] {
+        try {
+            ranks.run(lead);
+        } catch (Interrupted const&) {
+            tables.clear();
+        }
+        return tables;
+    });
+    return text.empty() ? std::nullopt : std::optional(text.substr(1));
 }
 
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output, std::string_view flag) {
@@ -166,40 +176,66 @@ CampaignInput begun_campaign(std::filesystem::path const& output) {
     return input;
 }
 
-MergeEnd merge_parts(std::filesystem::path const& output, MergeOptions const& options) {
-    if (std::filesystem::exists(output)) {
-        store::ResultsReader const file(output);
-        check_complete(output, input_of(file));
-        fmt::print("{}: complete already, nothing to do\n", output.string());
+MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator const& comm,
+                     MergeOptions const& options) {
+    std::optional<store::Claim> claim;
+    auto const begun = broadcast_from_root(comm, [&] {
+        if (std::filesystem::exists(output)) {
+            store::ResultsReader const file(output);
+            check_complete(output, input_of(file));
+            fmt::print("{}: complete already, nothing to do\n", output.string());
+            return std::string();
+        }
+        store::ShardFolder const unnamed(output, "");
+        require_begun(unnamed, output);
+        store::require_writable(output);
+        claim.emplace(unnamed.folder(), store::BlockRange{0, std::numeric_limits<std::int64_t>::max()});
+        auto const input = CampaignInput::deserialise(unnamed.begun_with());
+        require_same_program(input, output);
+        return input.serialise();
+    });
+    if (begun.empty()) {
         return MergeEnd::complete;
     }
-    store::ShardFolder const unnamed(output, "");
-    require_begun(unnamed, output);
-    store::require_writable(output);
-    store::Claim const claim(unnamed.folder(), {0, std::numeric_limits<std::int64_t>::max()});
-    auto const input = CampaignInput::deserialise(unnamed.begun_with());
+    auto const input = CampaignInput::deserialise(begun);
     auto const spec = parse_campaign(input);
     Plan const whole(spec);
-    require_same_program(input, output);
     store::ShardFolder const shards(output, input.block_key());
-    PartsMerge const merge{output, input, spec, whole, shards, options};
+    require_shared(shards, input.block_key(), comm);
+    BlocksToMerge const parts{output, input, spec, whole, shards, comm};
+    auto const merged = [&](std::function<std::vector<std::int64_t>()> const& blocks) {
+        std::vector<std::string> segments;
+        auto const tables = merge_blocks(
+            parts,
+            [&] {
+                segments = shards.segments();
+                return chosen_of_parts(parts, blocks());
+            },
+            [] { return true; }, {}, options);
+        if (tables && comm.is_root()) {
+            write_runtime(output, segments);
+            fmt::print("{}results: {}\n", *tables, output.string());
+        }
+        return tables ? MergeEnd::complete : MergeEnd::missing;
+    };
+    auto const sound = [&] { return sound_blocks(shards, whole, {0, whole.blocks()}); };
     // Merging checks every block that it reads: only where one is not sound are all of them read to name the others.
     auto const by_name = shards.listed({0, whole.blocks()});
-    if (std::ssize(by_name) == whole.blocks() && !AcceptedWaves(spec, whole).needs_rows()) {
-        try {
-            return merge.with(by_name);
-        } catch (SystemError const&) {
-            if (std::filesystem::exists(output)) {
-                throw;
-            }
-            auto const sound = sound_blocks(shards, whole, {0, whole.blocks()});
-            if (sound.size() == by_name.size()) {
-                throw;
-            }
-            return merge.with(sound);
-        }
+    bool const all = std::ssize(by_name) == whole.blocks() && !AcceptedWaves(spec, whole).needs_rows();
+    if (comm.largest(all ? 0 : 1) != 0) {
+        return merged(sound);
     }
-    return merge.with(sound_blocks(shards, whole, {0, whole.blocks()}));
+    try {
+        return merged([&] { return by_name; });
+    } catch (CollectiveError const&) {
+        auto const there = broadcast_from_root(comm, [&] {
+            return std::string(std::filesystem::exists(output) || sound().size() == by_name.size() ? "all" : "");
+        });
+        if (!there.empty()) {
+            throw;
+        }
+        return merged(sound);
+    }
 }
 
 }  // namespace overturn

@@ -11,6 +11,7 @@
 #include "campaign/campaign_spec.hpp"
 #include "campaign/plan.hpp"
 #include "output/sections.hpp"
+#include "parallel/communicator.hpp"
 #include "results/rare_rows.hpp"
 #include "store/results_file.hpp"
 #include "store/shards.hpp"
@@ -23,14 +24,25 @@ struct MergeOptions {
     output::TextOptions text{};
 };
 
-/// Writes the results file from the blocks of `drawn`, of which the waves `chosen` count, in the memory of one block
-/// and of twenty million trials (for the curves), and removes all once it is durable. \param keep_running asked before
-/// every block \param rare one per body, or none \return what is printed; nothing, and
-/// all blocks as they were, if `keep_running` said no \throws SystemError if a block is missing or damaged, or the file
-/// cannot be written; the blocks stay
-[[nodiscard]] std::optional<std::string> merge_blocks(std::filesystem::path const& output, CampaignInput const& input,
-                                                      CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
-                                                      store::ShardFolder const& shards,
+/// Blocks of a campaign, and who merges them.
+struct BlocksToMerge {
+    std::filesystem::path const& output;
+    CampaignInput const& input;
+    CampaignSpec const& spec;
+    Plan const& drawn;  ///< that the blocks are of
+    store::ShardFolder const& shards;
+    parallel::Communicator const& comm;
+};
+
+/// Writes the results file and removes the blocks once it is durable. All ranks read, write and hash a part of the
+/// rows, each in the memory of one block; rank 0 keeps two million trials for the curves. Where only rank 0 can add up
+/// what waves have (Statistics::add_up), or the file is packed, it does all of that alone. Collective. \param chosen on
+/// rank 0: which of the waves count \param keep_running asked before every block, on every rank \param rare one per
+/// body, or none \return on all ranks what is printed; nothing, and all blocks as they were, if `keep_running` said no
+/// \throws InputError, CollectiveError on every rank if a block is missing or damaged, or the file cannot be written;
+/// the blocks stay
+[[nodiscard]] std::optional<std::string> merge_blocks(BlocksToMerge const& what,
+                                                      std::function<std::optional<Plan>()> const& chosen,
                                                       std::function<bool()> const& keep_running,
                                                       std::span<RareBody const> rare = {},
                                                       MergeOptions const& options = {});
@@ -39,9 +51,10 @@ struct MergeOptions {
 enum class MergeEnd { complete, missing };
 
 /// Merges what `overturn run --part` or `--leave-blocks` left beside `output`, however many parts it was. Prints the
-/// results.
+/// results. Collective.
 /// \throws InputError if nothing was begun there, or a run is writing there now
-[[nodiscard]] MergeEnd merge_parts(std::filesystem::path const& output, MergeOptions const& options = {});
+[[nodiscard]] MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator const& comm,
+                                   MergeOptions const& options = {});
 
 /// The campaign that the unfinished run for `output` was begun with, by this program.
 /// \throws InputError if nothing was begun there, saying so, what it was is not on record, or another program began it

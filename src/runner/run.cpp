@@ -229,19 +229,20 @@ class Run {
     }
 
     RunEnd merge() {
-        auto const table = broadcast_from_root(comm_, [&] {
-            auto const begin = Clock::now();
-            earlier_segments_ = shards_.segments();
-            auto const tables = merge_blocks(
-                options_.output, input_, spec_, plan_, waves_.chosen(chosen_), shards_,
-                [&] { return stop_policy_.may_merge(); }, rare_.value_or(std::vector<RareBody>{}), options_.merge);
-            done_.seconds.store += seconds_since(begin);
-            return tables.value_or("");
-        });
-        if (comm_.is_root() && !table.empty() && !options_.quiet) {
-            fmt::print("{}results: {}\n", table, options_.output.string());
+        auto const begin = Clock::now();
+        auto const table = merge_blocks(
+            {options_.output, input_, spec_, plan_, shards_, comm_},
+            [&] {
+                earlier_segments_ = shards_.segments();
+                return std::optional(waves_.chosen(chosen_));
+            },
+            [&] { return stop_policy_.may_merge(); },
+            rare_ ? std::span<RareBody const>(*rare_) : std::span<RareBody const>(), options_.merge);
+        done_.seconds.store += comm_.is_root() ? seconds_since(begin) : 0;
+        if (comm_.is_root() && table && !options_.quiet) {
+            fmt::print("{}results: {}\n", *table, options_.output.string());
         }
-        return table.empty() ? RunEnd::stopped : RunEnd::complete;
+        return table ? RunEnd::complete : RunEnd::stopped;
     }
 
     void account() {

@@ -11,7 +11,9 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "store/row_places.hpp"
 #include "store/seal.hpp"
+#include "store/stretches.hpp"
 
 namespace overturn::store {
 
@@ -75,16 +77,24 @@ class ResultsWriter {
     void bytes(std::string const& where, std::string const& name, std::string const& description,
                std::string const& content);
 
+    /// Where the rows of the tables so far lie in the growing file. Whoever fetches them has them written, all of them,
+    /// by PlacedRows and no row by append(). \pre layout plain, and no row was appended
+    [[nodiscard]] RowPlaces give_places();
+
     /// Adds the digest of every object, closes the file, seals it, makes it durable and gives it its name.
-    void finish();
+    /// \param hash of the rows whose places were given, and of the whole file
+    void finish(HashStretches const& hash = hash_stretches);
 
   private:
     struct Growing;
-    void add_digests();
+    void settle();
+    void add_digests(HashStretches const& hash);
 
     std::filesystem::path path_;
     std::filesystem::path growing_path_;
     std::unique_ptr<Growing> growing_;
+    RowPlaces places_;  ///< that were given
+    bool settled_ = false;
     bool finished_ = false;
 };
 

@@ -1,7 +1,12 @@
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <numeric>
+#include <utility>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "core/error.hpp"
 #include "store/detail/dataset_rows.hpp"
@@ -59,10 +64,11 @@ std::vector<std::string> ResultsWriter::groups() const {
 std::size_t ResultsWriter::table(TableSpec spec, std::int64_t rows) {
     Growing::Table table;
     if (spec.numbers_rows()) {
-        growing_->number_rows(spec, rows);
+        table.numbers = growing_->create(spec.group, {spec.axis, "1", spec.axis_description, FieldType::integer}, rows,
+                                         Growing::Room::now);
     }
     for (auto const& column : spec.columns) {
-        table.datasets.push_back(growing_->create(spec.group, column, rows));
+        table.datasets.push_back(growing_->create(spec.group, column, rows, Growing::Room::now));
     }
     for (std::size_t c = 0; c < spec.columns.size(); ++c) {
         growing_->lay_along(spec.group, table.datasets[c], spec.columns[c].name, spec.axis);
@@ -73,7 +79,17 @@ std::size_t ResultsWriter::table(TableSpec spec, std::int64_t rows) {
     return growing_->tables.size() - 1;
 }
 
+// Puts the tables so far to disk before the first row, whoever writes it: HDF5 then gives what comes later the same
+// place.
+void ResultsWriter::settle() {
+    if (!settled_) {
+        settled_ = true;
+        checked(H5Fflush(growing_->file.id(), H5F_SCOPE_GLOBAL), "write " + growing_path_.string());
+    }
+}
+
 void ResultsWriter::append(std::size_t number, std::span<std::byte const> rows) {
+    settle();
     auto& table = growing_->tables.at(number);
     OVERTURN_EXPECT(rows.size() % table.spec.row_bytes == 0);
     table.waiting.insert(table.waiting.end(), rows.begin(), rows.end());
@@ -101,32 +117,93 @@ void ResultsWriter::Growing::write(Table& table) {
                        gathered.data(), table.written, static_cast<std::int64_t>(count), name);
         }
     }
+    if (table.numbers && count > 0) {
+        std::iota(gathered.begin(), gathered.end(), table.written);
+        write_rows(*table.numbers, H5T_NATIVE_INT64, gathered.data(), table.written, static_cast<std::int64_t>(count),
+                   table.spec.axis);
+    }
     table.written += static_cast<std::int64_t>(count);
     table.waiting.clear();
 }
 
-void ResultsWriter::add_digests() {
-    auto const text = text_of(digests_of(growing_->file));
+RowPlaces ResultsWriter::give_places() {
+    OVERTURN_EXPECT(growing_->layout == Layout::plain);
+    RowPlaces places{growing_path_, {}};
+    for (auto& table : growing_->tables) {
+        OVERTURN_EXPECT(table.taken() == 0);
+        TablePlace place{table.spec.row_bytes, table.rows, {}};
+        auto const add = [&](Dataset const& dataset, std::string const& name, std::uint64_t bytes,
+                             std::uint64_t offset) {
+            auto const at = H5Dget_offset(dataset.id());
+            OVERTURN_ENSURE(at != HADDR_UNDEF);
+            place.columns.push_back({fmt::format("/{}/{}", table.spec.group, name), at, bytes, offset});
+        };
+        for (std::size_t c = 0; c < table.datasets.size() && table.rows > 0; ++c) {
+            auto const& column = table.spec.columns[c];
+            add(table.datasets[c], column.name,
+                column.type == FieldType::category ? category_bytes(column) : sizeof(double), column.offset);
+        }
+        if (table.numbers && table.rows > 0) {
+            add(*table.numbers, table.spec.axis, sizeof(std::int64_t), ColumnPlace::of_number);
+        }
+        places.tables.push_back(std::move(place));
+        table.written = table.rows;
+    }
+    settle();
+    // NFS lets two nodes write to one page only where it lies within the file: beyond its end each fills it with zeros.
+    hsize_t size = 0;
+    checked(H5Fget_filesize(growing_->file.id(), &size), "ask for the file's size");
+    if (::truncate(growing_path_.c_str(), static_cast<off_t>(size)) != 0) {
+        throw SystemError(fmt::format("cannot extend {} ({}). {}", growing_path_.string(), std::strerror(errno),
+                                      advice_on_disk(errno)));
+    }
+    return places_ = std::move(places);
+}
+
+void ResultsWriter::add_digests(HashStretches const& hash) {
+    HashedColumns hashed;
+    std::vector<Stretch> stretches;
+    std::vector<std::pair<std::string, std::size_t>> counts;
+    for (auto const& table : places_.tables) {
+        for (auto const& column : table.columns) {
+            auto const bytes = static_cast<std::uint64_t>(table.rows) * column.bytes;
+            if (auto const length = column_stretch / column.bytes * column.bytes; bytes > length) {
+                auto const some = stretches_of(column.at, bytes, length);
+                stretches.insert(stretches.end(), some.begin(), some.end());
+                counts.emplace_back(column.path, some.size());
+            }
+        }
+    }
+    // Opened anew, it has its present length on this node too, also through what is open already.
+    std::ifstream const seen(growing_path_);
+    auto const digests = stretches.empty() ? std::vector<std::string>() : hash(growing_path_, stretches);
+    for (auto next = digests.begin(); auto const& [path, count] : counts) {
+        hashed[path].assign(next, next + static_cast<std::ptrdiff_t>(count));
+        next += static_cast<std::ptrdiff_t>(count);
+    }
+    auto const text = text_of(digests_of(growing_->file, ContentHash::stretches, hashed));
     attribute(digest_of_all, sha256(text));
     bytes(digest_group, digest_list,
           "SHA-256 of every object's type, shape, attributes and content: lines of digest and path", text);
+    write_attribute(growing_->open(fmt::format("{}/{}", digest_group, digest_list)).id(), digest_stretch,
+                    static_cast<std::int64_t>(column_stretch));
 }
 
-void ResultsWriter::finish() {
+void ResultsWriter::finish(HashStretches const& hash) {
     for (auto& table : growing_->tables) {
         growing_->write(table);
         if (table.written != table.rows) {
             throw ContractError(fmt::format("table {} got {} of {} rows", table.spec.group, table.written, table.rows));
         }
     }
-    add_digests();
+    add_digests(hash);
     // First everything goes to disk, where a failure is heard of; then closing has nothing left to write.
     checked(H5Fflush(growing_->file.id(), H5F_SCOPE_GLOBAL), "write " + growing_path_.string());
     growing_->tables.clear();
     growing_->groups.clear();
     growing_->types.close();
     checked(H5Fclose(growing_->file.release()), "close " + growing_path_.string());
-    seal(growing_path_);
+    seal(growing_path_, hash);
     make_durable(growing_path_);
     rename_durably(growing_path_, path_);
     finished_ = true;

@@ -1,12 +1,15 @@
 #include "store/seal.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <fstream>
+#include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "core/error.hpp"
 #include "store/durable.hpp"
@@ -16,41 +19,41 @@ namespace overturn::store {
 namespace {
 
 constexpr std::string_view mark = "\noverturn-seal sha256 ";
+constexpr std::string_view mark_of_stretches = "\noverturn-seal sha256 of the sha256 of every 64 MiB ";
+static_assert(file_stretch == std::uint64_t{64} << 20U, "the mark names it");
 
-std::string line_of(std::string const& digits, std::uint64_t bytes) {
-    return fmt::format("{}{} of {:020} bytes\n", mark, digits, bytes);
+std::string line_of(std::string_view begin, std::string const& digits, std::uint64_t bytes) {
+    return fmt::format("{}{} of {:020} bytes\n", begin, digits, bytes);
 }
 
-std::uint64_t line_length() {
-    static auto const length = line_of(std::string(64, '0'), 0).size();
-    return length;
-}
+std::uint64_t line_length(std::string_view begin) { return line_of(begin, std::string(64, '0'), 0).size(); }
 
 [[noreturn]] void fail(std::filesystem::path const& path) {
     throw SystemError(fmt::format("cannot read {} (a failing disk?). Check the disk and retry", path.string()));
 }
 
-std::string digits_of(std::ifstream& file, std::uint64_t bytes, std::filesystem::path const& path) {
-    constexpr std::uint64_t at_once = 1 << 20;
-    Sha256 hash;
-    std::vector<char> part(at_once);
-    for (auto left = bytes; left > 0;) {
-        auto const size = std::min(left, at_once);
-        if (!file.read(part.data(), size)) {
-            fail(path);
-        }
-        hash.add(std::as_bytes(std::span(part).first(size)));
-        left -= size;
+// Up to one stretch: of the bytes themselves.
+std::string sealed_line(std::filesystem::path const& path, std::uint64_t bytes, HashStretches const& hash) {
+    auto const digests = hash(path, stretches_of(0, bytes, file_stretch));
+    return digests.size() == 1 ? line_of(mark, digests.front(), bytes)
+                               : line_of(mark_of_stretches, sha256(fmt::format("{}", fmt::join(digests, ""))), bytes);
+}
+
+// The last bytes of a file: as many as the longer line has, or all.
+std::string end_of(std::filesystem::path const& path, std::uint64_t size) {
+    std::string end(std::min(size, line_length(mark_of_stretches)), '\0');
+    std::ifstream file(path, std::ios::binary);
+    file.seekg(static_cast<std::streamoff>(size - end.size()));
+    if (!file.read(end.data(), static_cast<std::streamsize>(end.size()))) {
+        fail(path);
     }
-    return hash.digits();
+    return end;
 }
 
 }  // namespace
 
-void seal(std::filesystem::path const& path) {
-    auto const bytes = std::filesystem::file_size(path);
-    std::ifstream file(path, std::ios::binary);
-    auto const line = line_of(digits_of(file, bytes, path), bytes);
+void seal(std::filesystem::path const& path, HashStretches const& hash) {
+    auto const line = sealed_line(path, std::filesystem::file_size(path), hash);
     append(path, std::as_bytes(std::span(line)));
 }
 
@@ -60,37 +63,39 @@ Seal seal_of(std::filesystem::path const& path) {
     if (error) {
         fail(path);
     }
-    if (size < line_length()) {
+    if (size < line_length(mark)) {
         return Seal::missing;
     }
-    auto const bytes = size - line_length();
-    std::ifstream file(path, std::ios::binary);
-    auto const digits = digits_of(file, bytes, path);
-    std::string line(line_length(), '\0');
-    if (!file.read(line.data(), line.size())) {
-        fail(path);
+    auto const end = end_of(path, size);
+    if (end.starts_with(mark_of_stretches)) {
+        return end == sealed_line(path, size - end.size(), hash_stretches) ? Seal::intact : Seal::broken;
     }
-    if (line == line_of(digits, bytes)) {
+    // Of one digest, as long files had before they were hashed in stretches.
+    auto const line = std::string_view(end).substr(end.size() - line_length(mark));
+    std::array const whole{Stretch{0, size - line.size()}};
+    if (line.starts_with(mark) && line == line_of(mark, hash_stretches(path, whole).front(), size - line.size())) {
         return Seal::intact;
     }
-    // One damaged letter of the mark is damage, not another program's work.
-    return line.find("seal") != std::string::npos || line.find("sha256") != std::string::npos ? Seal::broken
-                                                                                              : Seal::missing;
+    // One damaged letter of the line is damage, not another program's work.
+    auto const holds = [&](char const* word) { return line.find(word) != std::string_view::npos; };
+    return holds("seal") || holds("sha256") || line.ends_with(" bytes\n") ? Seal::broken : Seal::missing;
 }
 
 std::string sealed_digest(std::filesystem::path const& path) {
     auto const size = std::filesystem::file_size(path);
-    if (size < line_length()) {
+    if (size < line_length(mark)) {
         return {};
     }
-    std::ifstream file(path, std::ios::binary);
-    file.seekg(size - line_length());
-    std::string line(line_length(), '\0');
-    if (!file.read(line.data(), line.size())) {
-        fail(path);
-    }
+    auto const end = end_of(path, size);
     constexpr std::size_t digits = 64;
-    return line.starts_with(mark) ? line.substr(mark.size(), digits) : std::string();
+    for (auto const begin : {mark_of_stretches, mark}) {
+        auto const length = line_length(begin);
+        auto const line = std::string_view(end).substr(end.size() - std::min<std::uint64_t>(length, end.size()));
+        if (line.starts_with(begin)) {
+            return std::string(line.substr(begin.size(), digits));
+        }
+    }
+    return {};
 }
 
 }  // namespace overturn::store

@@ -282,17 +282,22 @@ void ShardFolder::remove_unfinished(BlockRange range) const {
     });
 }
 
+void ShardFolder::remove_blocks(BlockRange range) const {
+    each_file(folder_, range, [&](ShardEntry const& entry) {
+        if (auto const block = entry.block(); block && range.holds(*block)) {
+            std::error_code ignored;
+            fs::remove(entry.path, ignored);
+        }
+    });
+}
+
 // The record goes after the blocks, so that the remains of a kill in between can still be identified.
 void ShardFolder::remove() const {
     for (auto const& output : aside()) {
         ShardFolder(output, "").remove();
     }
+    remove_blocks(everything);
     std::error_code ignored;
-    each_file(folder_, everything, [&](ShardEntry const& entry) {
-        if (entry.block()) {
-            fs::remove(entry.path, ignored);
-        }
-    });
     each_beside_record(folder_, [&](ShardEntry const& entry) {
         auto const file = entry.finished_name();
         if (file == record_name || file.ends_with(segment_ending) || file == Claim::file_name || entry.is_group()) {

@@ -67,6 +67,8 @@ class ShardFolder {
     [[nodiscard]] std::vector<std::string> segments() const;
     /// Removes what killed writers of these blocks left half done. \pre nobody else writes them now
     void remove_unfinished(BlockRange range) const;
+    /// Removes the files of these blocks.
+    void remove_blocks(BlockRange range) const;
     /// Removes the folder and everything this class put into it.
     void remove() const;
 

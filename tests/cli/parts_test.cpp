@@ -70,6 +70,37 @@ TEST_F(Parts, MergedAreTheBytesOfOneRun) {
     EXPECT_NE(again.out.find("complete already"), std::string::npos) << again.out;
 }
 
+/// More ranks than blocks of a part, and an odd number of them. What is wrong is said once, with the code of one rank.
+TEST_F(Parts, AreMergedBySeveralRanks) {
+    auto const merge_on = [&](int ranks) { return execute(folder, mpirun(ranks, {"merge", "c.h5"})); };
+    expect_part_done(part("2/2"));
+    auto const missing = merge_on(2);
+    EXPECT_EQ(missing.code, 3) << missing.err;
+    auto const said = missing.err.find("waves 0 to 9 are missing");
+    EXPECT_NE(said, std::string::npos) << missing.err;
+    EXPECT_EQ(missing.err.find("are missing", said + 20), std::string::npos) << missing.err;
+    expect_part_done(part("1/2"));
+    auto const block = folder.read("c.h5.parts/0000000004.block");
+    auto damaged = block;
+    damaged[block.size() / 2] ^= 1;
+    folder.write("c.h5.parts/0000000004.block", damaged);
+    auto const refused = merge_on(3);
+    EXPECT_EQ(refused.code, 3);
+    EXPECT_NE(refused.err.find("0000000004.block: damaged"), std::string::npos) << refused.err;
+    EXPECT_NE(refused.err.find("waves 4 to 4 are missing"), std::string::npos) << refused.err;
+    EXPECT_FALSE(folder.has("c.h5"));
+    EXPECT_FALSE(folder.has("c.h5.merging"));
+
+    folder.write("c.h5.parts/0000000004.block", block);
+    auto const merged = merge_on(3);
+    EXPECT_EQ(merged.code, 0) << merged.err;
+    EXPECT_FALSE(folder.has("c.h5.parts"));
+    expect_as_one_run();
+    auto const again = merge_on(2);
+    EXPECT_EQ(again.code, 0) << again.err;
+    EXPECT_NE(again.out.find("complete already"), std::string::npos) << again.out;
+}
+
 /// Many ranks need not wait for the one that merges: a job of one rank makes the file of the blocks that they leave.
 TEST_F(Parts, OfOneRunAreLeftForMerge) {
     auto const run = [&](std::vector<std::string> const& more) {

@@ -30,20 +30,30 @@ class ManyRows {
                                        + testing::levels("values={from=2, to=13, count=12}\ndesign_basis=2\n"))),
           statistics_(spec_) {}
 
-    void fill(std::int64_t waves) {
-        for (std::int64_t w = 0; w < waves; ++w) {
+    [[nodiscard]] BlockRows rows(std::int64_t first, std::int64_t count) const {
+        BlockRows block;
+        for (std::int64_t w = first; w < first + count; ++w) {
             RandomStream stream(5, static_cast<std::uint64_t>(w), Purpose::body_scatter, 0);
             double const capacity = median_mps2 * std::exp(gsl_ran_gaussian(stream.gsl(), beta));
             WaveRow wave;
             wave.id = w;
             wave.pga_mps2 = 1;
             wave.pgv_mps = 0.1 * std::exp(gsl_ran_gaussian(stream.gsl(), 0.3));
-            statistics_.add(wave, std::vector<MeasureRow>(spec_.bodies.size()));
+            wave.duration_s = w % 5 == 0 ? 20 : 30;
+            block.waves.push_back(wave);
+            block.measures.resize(block.measures.size() + spec_.bodies.size());
             for (std::int64_t level = 0; level < 12; ++level) {
                 for (int body = 0; body < 2; ++body) {
-                    statistics_.add(trial(w, level, body, capacity));
+                    block.trials.rows.push_back(trial(w, level, body, capacity));
                 }
             }
+        }
+        return block;
+    }
+    void fill(std::int64_t waves) {
+        constexpr std::int64_t at_once = 1000;
+        for (std::int64_t first = 0; first < waves; first += at_once) {
+            statistics_.add(rows(first, std::min(at_once, waves - first)));
         }
     }
     [[nodiscard]] CampaignSpec const& spec() const { return spec_; }
@@ -62,6 +72,8 @@ class ManyRows {
         row.ou_v_e_mps = 0.4 * row.amplitude;
         row.v_ereq_mps = 1.35;
         row.peak_rotation_ratio = falls ? 4 : 0.3;
+        row.overturn_time_s = falls ? 25 : never;  // after the end of some waves
+        row.called = level % 4;
         row.response_velocity_mps = falls ? row.v_ereq_mps : 0.02 * row.amplitude;
         return row;
     }
@@ -93,6 +105,67 @@ TEST(ManyTrials, AllCount) {
         EXPECT_EQ(together.front().joint.any[l].trials, waves);
         EXPECT_EQ(together.front().joint.any[l].overturned, counted[1].stripes[l].overturned) << "the weaker one";
     }
+}
+
+// What ranks do that merge together.
+TEST(ManyTrials, CountedInPartsAreTheSame) {
+    ManyRows whole;
+    whole.fill(300);
+    Statistics together(whole.spec());
+    std::int64_t first = 0;
+    for (std::int64_t const count : {1, 120, 179}) {
+        Statistics part(whole.spec(), TrialsHeld::none);
+        part.add(whole.rows(first, count));
+        together.add_counts(part.counts());
+        EXPECT_TRUE(together.keep(whole.rows(first, count)));
+        first += count;
+    }
+    EXPECT_EQ(together.counts(), whole.statistics().counts());
+    auto const& of_body = together.bodies()[1];
+    EXPECT_GT(of_body.fell_after_record[11], 30) << "a fifth of the waves are short";
+    EXPECT_LT(of_body.fell_after_record[11], 65);
+    EXPECT_EQ(of_body.stripes[11].trials, 300);
+    EXPECT_EQ(together.waves().waves, 300);
+    auto const kept = together.measured().singles(0, measure_named("pgv"));
+    auto const held = whole.statistics().measured().singles(0, measure_named("pgv"));
+    EXPECT_TRUE(std::ranges::equal(kept, held, [](auto const& a, auto const& b) {
+        return a.intensity == b.intensity && a.wave == b.wave && a.overturned == b.overturned;
+    }));
+}
+
+TEST(ManyTrials, AreCountedBeyondThoseThatAreHeld) {
+    constexpr std::int64_t waves = 84'000;
+    ManyRows rows;
+    rows.fill(waves);
+    auto const& held = rows.statistics().measured();
+    auto const first_waves = static_cast<std::int64_t>((most_trials_held + 23) / 24);
+    EXPECT_EQ(held.singles(0, measure_named("pgv")).back().id, first_waves - 1);
+    EXPECT_EQ(held.passed_by(), (waves - first_waves) * 24);
+    EXPECT_EQ(rows.statistics().bodies()[0].stripes[3].trials, waves);
+
+    Statistics kept(rows.spec());
+    std::int64_t next = 0;
+    while (kept.keep(rows.rows(next, 1000))) {
+        next += 1000;
+    }
+    EXPECT_EQ(kept.measured().singles(0, measure_named("pgv")).back().id, first_waves - 1);
+    EXPECT_EQ(kept.bodies()[0].stripes[3].trials, 0) << "kept and not counted";
+}
+
+// Of these more than counts is taken from waves, in their order.
+TEST(ManyTrials, DoNotAddUpWhereWavesAreJudgedOrDrawnOneByOne) {
+    auto const adds_up = [](std::string const& waves) {
+        return Statistics::add_up(
+            testing::campaign_from(waves + testing::type_a + testing::levels("values=[2.0, 4.0]\n")));
+    };
+    EXPECT_TRUE(adds_up(testing::quick_waves));
+    auto judged = testing::quick_waves;
+    judged.replace(judged.find("match='none'"), 12, "acceptance='japan'");
+    EXPECT_FALSE(adds_up(judged));
+    EXPECT_FALSE(adds_up("[waves]\nsource='harmonic'\namplitude='1 m/s2'\nfrequencies=[0.5, 1]\nduration='20 s'\n"));
+    auto drawn = testing::quick_waves + "[waves.variability]\ncorrelation='baker-jayaram-2008'\nsigma=0.4\n";
+    drawn.erase(drawn.find("match='none'\n"), 13);
+    EXPECT_FALSE(adds_up(drawn));
 }
 
 TEST(ManyTrials, TakeTheMemoryThatPlanStates) {

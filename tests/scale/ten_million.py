@@ -134,7 +134,7 @@ def main():
               f"cores, load {os.getloadavg()[0]:.1f} before\n")
         print("| phase | wall time | CPU time | peak memory | on disk after |\n|---|---|---|---|---|")
         phases.run("run --leave-blocks", ["run", "c.toml", "-o", "c.h5", "--leave-blocks"], launcher)
-        phases.run("merge", ["merge", "c.h5"])
+        phases.run("merge", ["merge", "c.h5"], launcher)
         phases.run("status --json", ["status", "c.h5", "--json"])
         counted = json.loads(phases.told)["trials"]["counted"]
         if counted != asked.trials:

@@ -188,7 +188,7 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
                                                      fit.waves, fit.alike > 1 ? "groups of waves" : "waves"));
     }
     add_if(FragilityFlag::waves_left_out,
-           fmt::format("curves and bootstrap use the first {} waves (20 million trials)", fit.waves));
+           fmt::format("curves and bootstrap use the first {} waves (2 million trials)", fit.waves));
     add_if(FragilityFlag::interval_unbounded, "an interval is open: the data do not limit it");
     for (auto const& quoted : fit.quotes) {
         if (has(fit.flags, FragilityFlag::poor_fit) && quoted.source == QuotedProbability::Source::curve) {

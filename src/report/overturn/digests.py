@@ -13,6 +13,7 @@ from h5py import h5d, h5g, h5l, h5o, h5s, h5t  # noqa: E402
 
 LIST, OF_ALL = "/digests/objects", "content_sha256"
 AT_ONCE = 1 << 20  # bytes
+STRETCH_BYTES, STRETCH = "stretch_bytes", 4 << 20  # columns longer than it are hashed in parts, in files that say so
 PLUGINS = 256  # numbers of filters from here on are of libraries that HDF5 would have to look for
 MOST_NAMED = 3
 ADVICE = "Give the file that overturn wrote"
@@ -60,7 +61,8 @@ def faults_of(file, objects):
     lines = (line.split("  ", 1) for line in told.decode(errors="surrogateescape").splitlines())
     before = {path: digest for digest, path in lines}
     places = {h5o.get_info(each).addr: path for path, each in sorted(objects.items(), reverse=True)}
-    now = {path.replace("\n", " "): _digest(each, path, file, places) for path, each in objects.items()
+    stretched = STRETCH_BYTES in file[LIST].attrs
+    now = {path.replace("\n", " "): _digest(each, path, file, places, stretched) for path, each in objects.items()
            if path != "/digests" and not path.startswith("/digests/")}
     names = [path + (" changed" if path in now else " is gone")
              for path in sorted(before) if now.get(path) != before[path]]
@@ -78,7 +80,7 @@ class _Hash:
         self.sha.update(b"%d:%s" % (len(content), content))
 
 
-def _digest(each, path, file, places):
+def _digest(each, path, file, places, stretched):
     digest = _Hash()
     kind = "group" if isinstance(each, h5g.GroupID) else "dataset" if isinstance(each, h5d.DatasetID) else "type"
     digest.text(kind)
@@ -91,7 +93,7 @@ def _digest(each, path, file, places):
         digest.text(_axes(each, places))
         digest.text(_text_of(each.get_type()))
         digest.text(" ".join(map(str, each.shape)))
-        _add_content(digest, each)
+        _add_content(digest.sha, each, stretched)
     return digest.sha.hexdigest()
 
 
@@ -137,15 +139,28 @@ def _axes(dataset, places):
     return "".join(name + "\n" for name in names if name is not None)
 
 
-def _add_content(digest, dataset):
+def _add_content(sha, dataset, stretched):
     kind, shape = dataset.get_type(), dataset.shape
     size = kind.get_size()
     if _points_elsewhere(kind) or len(shape) != 1 or size == 0 or size > AT_ONCE:
         return  # no column of the program's
-    for first in range(0, shape[0], AT_ONCE // size):
-        count = min(shape[0] - first, AT_ONCE // size)
+    rows = STRETCH // size
+    if not stretched or shape[0] <= rows:
+        _add_rows(sha, dataset, 0, shape[0])
+        return
+    for first in range(0, shape[0], rows):
+        part = hashlib.sha256()
+        _add_rows(part, dataset, first, min(shape[0], first + rows))
+        sha.update(part.hexdigest().encode())
+
+
+def _add_rows(sha, dataset, begin, end):
+    kind = dataset.get_type()
+    size = kind.get_size()
+    for first in range(begin, end, AT_ONCE // size):
+        count = min(end - first, AT_ONCE // size)
         rows = dataset.get_space()
         rows.select_hyperslab((first,), (count,))
         part = np.empty(count, dtype=f"V{size}")
         dataset.read(h5s.create_simple((count,)), rows, part, kind)
-        digest.sha.update(part.tobytes())
+        sha.update(part.tobytes())

@@ -15,8 +15,9 @@ import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
 OLDEST, NEWEST = 3, 5  # formats that this reader knows
-SEAL = re.compile(rb"\noverturn-seal sha256 ([0-9a-f]{64}) of ([0-9]{20}) bytes\n\Z")
-SEAL_BYTES = 22 + 64 + 4 + 20 + 7
+# Of the file's bytes; where these are more than a stretch, of the digests of its stretches (src/store/seal.cpp).
+SEAL = re.compile(rb"\noverturn-seal sha256 (of the sha256 of every 64 MiB )?([0-9a-f]{64}) of ([0-9]{20}) bytes\n\Z")
+LONGEST_SEAL, STRETCH = 256, 64 << 20
 
 
 def plain(value):
@@ -274,6 +275,19 @@ def name_of(path):
     return str(path).encode(errors="surrogateescape").decode(errors="replace")
 
 
+def _digest_of(file, length):
+    digest = hashlib.sha256()
+    while length > 0 and (part := file.read(min(length, 1 << 20))):
+        digest.update(part)
+        length -= len(part)
+    return digest.hexdigest()
+
+
+def _digest_of_stretches(file, length):
+    digests = (_digest_of(file, min(STRETCH, length - at)) for at in range(0, length, STRETCH))
+    return hashlib.sha256("".join(digests).encode()).hexdigest()
+
+
 def check_seal(path):
     """Raises Error unless every byte is as the program wrote it."""
     if os.path.exists(path) and not os.path.isfile(path):
@@ -281,7 +295,7 @@ def check_seal(path):
                     "`overturn run` wrote")
     with open(path, "rb") as file:
         size = file.seek(0, 2)
-        file.seek(max(0, size - SEAL_BYTES))
+        file.seek(max(0, size - LONGEST_SEAL))
         seal = SEAL.search(file.read())
         if seal is None:
             file.seek(0)
@@ -289,11 +303,9 @@ def check_seal(path):
                 raise Error(f"{name_of(path)}: no results file of overturn. Name one that `overturn run` wrote")
             raise Error(f"{name_of(path)}: never sealed, or edited (written to by another program?). "
                         "overturn.open(..., unverified=True) reads it as it is")
-        digest, left = hashlib.sha256(), int(seal[2])
+        stretched, told, length = seal[1], seal[2].decode(), int(seal[3])
         file.seek(0)
-        while left > 0 and (part := file.read(min(left, 1 << 20))):
-            digest.update(part)
-            left -= len(part)
-    if digest.hexdigest() != seal[1].decode() or int(seal[2]) + SEAL_BYTES != size:
+        digest = _digest_of_stretches(file, length) if stretched else _digest_of(file, length)
+    if digest != told or length + len(seal[0]) != size:
         raise Error(f"{name_of(path)}: not as it was written (edited or damaged). `overturn status` names what changed; "
                     "overturn.open(..., unverified=True) reads it as it is")

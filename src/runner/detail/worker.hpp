@@ -22,7 +22,7 @@
 /// what is left at once, so the counter sees at most some operations per rank and second: 10^5 a second would keep rank
 /// 0 busy for a fifth of its time, and on more than 64 ranks it does nothing else. Without one-sided hardware an
 /// operation waits until rank 0 looks up, between waves. Merging reads and writes 10^6 trials in 2 s to 2.5 s of CPU
-/// time, 10^9 in 40 minutes, beside the curves, of at most twenty million trials. All but the first paragraph's and the
+/// time, which all ranks share, beside the curves, of at most two million trials. All but the first paragraph's and the
 /// merge's figures are a model; tests/scale simulates it.
 #pragma once
 

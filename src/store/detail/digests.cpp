@@ -1,6 +1,11 @@
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
 #include <sstream>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -104,25 +109,71 @@ void add_axes(Sha256& hash, hid_t dataset, Places const& places) {
     hash.add_text(found.names);
 }
 
-void add_content(Sha256& hash, hid_t dataset, hid_t type, Dataspace const& space) {
+// Where the content goes: into the object's digest, or by stretches into digests of their own.
+class ContentDigest {
+  public:
+    ContentDigest(Sha256& whole, std::uint64_t stretch_bytes) : whole_(whole), stretch_bytes_(stretch_bytes) {}
+
+    /// \param part ends where a stretch does, or before
+    void add(std::span<std::byte const> part) {
+        if (stretch_bytes_ == 0) {
+            whole_.add(part);
+            return;
+        }
+        if (!stretch_) {
+            stretch_.emplace();
+        }
+        stretch_->add(part);
+        in_stretch_ += part.size();
+        if (in_stretch_ == stretch_bytes_) {
+            close();
+        }
+    }
+    void finish() {
+        if (in_stretch_ > 0) {
+            close();
+        }
+    }
+
+  private:
+    void close() {
+        auto const digits = stretch_->digits();
+        whole_.add(std::as_bytes(std::span(digits)));
+        stretch_.reset();
+        in_stretch_ = 0;
+    }
+
+    Sha256& whole_;
+    std::uint64_t stretch_bytes_, in_stretch_ = 0;
+    std::optional<Sha256> stretch_;
+};
+
+void add_content(Sha256& hash, hid_t dataset, hid_t type, Dataspace const& space, ContentHash how) {
     constexpr hsize_t at_once = 1 << 20;
     auto const each = H5Tget_size(type);
     if (points_elsewhere(type) || H5Sget_simple_extent_ndims(space.id()) != 1 || each == 0 || each > at_once) {
         return;  // no column of ours
     }
     auto const count = static_cast<hsize_t>(H5Sget_simple_extent_npoints(space.id()));
-    std::vector<std::byte> part(std::min(count, at_once / each) * each);
+    hsize_t const stretch = column_stretch / each * each;
+    ContentDigest content(hash, how == ContentHash::stretches && count * each > stretch ? stretch : 0);
+    hsize_t const most = std::min(at_once, stretch) / each;
+    std::vector<std::byte> part(std::min(count, most) * each);
     for (hsize_t first = 0; first < count;) {
-        hsize_t const size = std::min(count - first, at_once / each);
+        hsize_t const before_end = stretch / each - first % (stretch / each);
+        hsize_t const size = std::min({count - first, most, before_end});
         Dataspace const memory(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
         checked(H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, &first, nullptr, &size, nullptr), "select rows");
         checked(H5Dread(dataset, type, memory.id(), space.id(), H5P_DEFAULT, part.data()), "read back");
-        hash.add(std::span(part).first(size * each));
+        content.add(std::span(part).first(size * each));
         first += size;
     }
+    content.finish();
 }
 
-std::string digest_of(Object const& object, Places const& places) {
+// \param stretches digests of the content's, or null
+std::string digest_of(Object const& object, Places const& places, ContentHash how,
+                      std::vector<std::string> const* stretches) {
     Sha256 hash;
     auto const kind = H5Iget_type(object.id());
     hash.add_text(kind == H5I_GROUP ? "group" : kind == H5I_DATASET ? "dataset" : "type");
@@ -139,7 +190,12 @@ std::string digest_of(Object const& object, Places const& places) {
         add_axes(hash, object.id(), places);
         hash.add_text(text_of_type(type.id()));
         add_shape(hash, space);
-        add_content(hash, object.id(), type.id(), space);
+        if (stretches == nullptr) {
+            add_content(hash, object.id(), type.id(), space, how);
+        } else {
+            auto const joined = fmt::format("{}", fmt::join(*stretches, ""));
+            hash.add(std::as_bytes(std::span(joined)));
+        }
     }
     return hash.digits();
 }
@@ -151,7 +207,7 @@ bool is_digest(std::string_view path) {
 
 }  // namespace
 
-std::map<std::string, std::string> digests_of(File const& file) {
+std::map<std::string, std::string> digests_of(File const& file, ContentHash how, HashedColumns const& hashed) {
     Places places;
     each_object(file, [&](std::string const& path, Object const& object) {
         H5O_info_t info{};
@@ -164,7 +220,8 @@ std::map<std::string, std::string> digests_of(File const& file) {
             return;
         }
         try {
-            digests[path] = digest_of(object, places);
+            auto const known = hashed.find(path);
+            digests[path] = digest_of(object, places, how, known == hashed.end() ? nullptr : &known->second);
         } catch (SystemError const&) {
             digests[path] = "";
         }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <bit>
 #include <cstring>
-#include <numeric>
 
 #include <unistd.h>
 
@@ -30,6 +29,9 @@ void ResultsWriter::Growing::abandon() {
         for (auto& dataset : table.datasets) {
             dataset.release();
         }
+        if (table.numbers) {
+            table.numbers->release();
+        }
     }
     for (auto& [path, group] : groups) {
         group.release();
@@ -55,7 +57,7 @@ Group& ResultsWriter::Growing::group(std::string const& path) {
         .first->second;
 }
 
-Dataset ResultsWriter::Growing::create(std::string const& where, Field const& spec, std::int64_t rows) {
+Dataset ResultsWriter::Growing::create(std::string const& where, Field const& spec, std::int64_t rows, Room room) {
     auto const type = types.of(file, spec);
     auto const size = static_cast<hsize_t>(rows);
     Dataspace const space(checked(H5Screate_simple(1, &size, nullptr), "make a dataspace"));
@@ -63,6 +65,9 @@ Dataset ResultsWriter::Growing::create(std::string const& where, Field const& sp
     PropertyList const access(checked(H5Pcreate(H5P_DATASET_ACCESS), "make dataset properties"));
     if (layout == Layout::packed) {
         pack(properties, access, size);
+    } else if (room == Room::now) {
+        checked(H5Pset_alloc_time(properties.id(), H5D_ALLOC_TIME_EARLY), "ask for room at once");
+        checked(H5Pset_fill_time(properties.id(), H5D_FILL_TIME_NEVER), "leave it as it is");
     }
     Dataset dataset(checked(
         H5Dcreate2(group(where).id(), spec.name.c_str(), type, space.id(), H5P_DEFAULT, properties.id(), access.id()),
@@ -84,16 +89,6 @@ void ResultsWriter::Growing::lay_along(std::string const& where, Dataset const& 
     auto const slash = axis.rfind('/');
     bool const path = slash != std::string::npos;
     attach_axis(dataset, open(path ? axis : where + "/" + axis), path ? axis.substr(slash + 1) : axis);
-}
-
-void ResultsWriter::Growing::number_rows(TableSpec const& spec, std::int64_t rows) {
-    constexpr std::int64_t most = 1 << 16;
-    auto const axis = create(spec.group, {spec.axis, "1", spec.axis_description, FieldType::integer}, rows);
-    for (std::int64_t first = 0; first < rows; first += most) {
-        std::vector<std::int64_t> numbers(std::min(most, rows - first));
-        std::iota(numbers.begin(), numbers.end(), first);
-        write_rows(axis, H5T_NATIVE_INT64, numbers.data(), first, numbers.size(), spec.axis);
-    }
 }
 
 void ResultsWriter::Growing::write_categories(Dataset const& dataset, Field const& spec,

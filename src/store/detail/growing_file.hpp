@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ namespace overturn::store {
 struct ResultsWriter::Growing {
     struct Table {
         TableSpec spec;
+        std::optional<Dataset> numbers;  ///< the axis, where it numbers the rows
         std::vector<Dataset> datasets;
         std::int64_t rows = 0;
         std::int64_t written = 0;        ///< to the file
@@ -35,13 +37,16 @@ struct ResultsWriter::Growing {
     void write(Table& table);
     /// Made with those that it lies in, if it is not there yet.
     Group& group(std::string const& path);
-    Dataset create(std::string const& where, Field const& spec, std::int64_t rows);
+    /// When a column gets its place in a plain file.
+    enum class Room {
+        now,  ///< so that it is known before any row is
+        later
+    };
+    Dataset create(std::string const& where, Field const& spec, std::int64_t rows, Room room = Room::later);
     [[nodiscard]] Dataset open(std::string const& path) const;
     /// \param axis of the group `where`, or a path; empty or the dataset's own name: itself
     void lay_along(std::string const& where, Dataset const& dataset, std::string const& name,
                    std::string const& axis) const;
-    /// The axis of a table whose rows are numbered.
-    void number_rows(TableSpec const& spec, std::int64_t rows);
     void write_categories(Dataset const& dataset, Field const& spec, std::span<std::int64_t const> values,
                           std::int64_t first, std::string const& name);
     void write_array(std::string const& where, Field const& spec, hid_t memory_type, void const* values,
