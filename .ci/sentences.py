@@ -18,10 +18,11 @@ def pages():
 
 
 def sentences(text):
-    """Of paragraphs and lists; code, tables and headings have none."""
-    text = re.sub(r"^```.*?^```$|^( {4}|\||#|\*`|!\[).*?$", "", text, flags=re.M | re.S)
+    """Of paragraphs and lists; code, tables, headings, quotations and displayed formulas have none. A formula or code is one word."""
+    text = re.sub(r"^```.*?^```$|^\$\$.*?\$\$$|^( {4}|\||#|>|\*`|!\[).*?$", "", text, flags=re.M | re.S)
+    text = re.sub(r"(?<!\$)\$[^$]+\$|`[^`]+`", lambda part: re.sub(r"\s+", "_", part[0]), text)
     for paragraph in re.split(r"\n\s*\n|\n\s*(?:[-*]|\d+\.) ", text):
-        yield from re.split(r"(?<=[.!?])\s+(?=[A-Z`*\[])", " ".join(paragraph.split()))
+        yield from re.split(r"(?<=[.!?])\s+(?=[A-Z`$*\[])", " ".join(paragraph.split()))
 
 
 for page in [pathlib.Path(name).resolve() for name in sys.argv[1:]] or pages():

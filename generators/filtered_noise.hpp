@@ -25,8 +25,8 @@ struct GroundFilter {
 /// Its keys in [waves].
 extern config::KeyTable const filtered_noise_table;
 
-/// A density of points is straight between them and nothing outside. Lines above the Nyquist frequency are left out,
-/// and with them their share of rms^2; baseline as for spectrum-compatible waves.
+/// A density of points is straight between them and nothing outside. Lines above the Nyquist frequency are left out;
+/// those below it have all of rms^2. A polynomial brings the ground to rest where it began (correct_baseline).
 [[nodiscard]] std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, InputFiles& files);
 
 }  // namespace overturn

@@ -12,7 +12,7 @@ extensions = ["myst_parser", "sphinx.ext.mathjax"]
 myst_enable_extensions = ["dollarmath"]
 myst_heading_anchors = 4
 root_doc = "README"
-include_patterns = ["README.md", "campaigns/README.md", "campaigns/KEYS.md", "campaigns/guide/*.md", "slurm/README.md", "src/README.md",
+include_patterns = ["README.md", "campaigns/README.md", "campaigns/KEYS.md", "campaigns/guide/*.md", "slurm/README.md", "generators/README.md", "src/README.md",
                     "src/*/README.md", "src/store/COLUMNS.md", "tests/README.md", "tests/requirements.md", "tests/*/README.md",
                     "tests/validation/experiments/README.md", ".github/*.md"]
 html_theme = "furo"
@@ -29,7 +29,8 @@ CONTENTS = {
         "rare-events", "annual-frequency", "uncertain-bodies", "cluster", "results-file", "checking", "assumptions")],
     "Studies and clusters": ["campaigns/README", "slurm/README"],
     "Reference": ["campaigns/KEYS", "src/store/COLUMNS", "src/report/README", "src/store/README", ".github/CHANGELOG"],
-    "Theory": ["src/rocking/README", "src/contact/README", "src/stats/README"],
+    "Theory": ["src/rocking/README", "src/contact/README", "src/spectra/README", "generators/README", "src/rare/README",
+               "src/stats/README"],
     "Code and tests": ["src/README", "src/motion/README", "tests/README", "tests/requirements", "tests/relations/README",
                        "tests/validation/experiments/README", "tests/benchmarks/README", "tests/scale/README",
                        "tests/mutants/README", ".github/CONTRIBUTING", ".github/THIRD_PARTY"],
