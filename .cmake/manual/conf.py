@@ -1,4 +1,5 @@
-"""The manual: pages stay beside what they describe; this gathers them (target overturn_manual)."""
+"""The manual: pages stay beside what they describe; this gathers them, and the reference of the program itself (target
+overturn_manual)."""
 
 import pathlib
 import re
@@ -14,7 +15,7 @@ myst_heading_anchors = 4
 root_doc = "README"
 include_patterns = ["README.md", "campaigns/README.md", "campaigns/KEYS.md", "campaigns/guide/*.md", "slurm/README.md", "generators/README.md", "src/README.md",
                     "src/*/README.md", "src/store/COLUMNS.md", "tests/README.md", "tests/requirements.md", "tests/*/README.md",
-                    "tests/validation/experiments/README.md", ".github/*.md"]
+                    "tests/validation/experiments/README.md", ".github/*.md", "reference/*.md"]
 html_theme = "furo"
 html_title = "overturn"
 html_show_sphinx = False
@@ -28,7 +29,8 @@ CONTENTS = {
         "my-cask", "supports", "my-spectrum", "my-records", "spectra-that-vary", "slip-and-clearance", "limit-states",
         "rare-events", "annual-frequency", "uncertain-bodies", "cluster", "results-file", "checking", "assumptions")],
     "Studies and clusters": ["campaigns/README", "slurm/README"],
-    "Reference": ["campaigns/KEYS", "src/store/COLUMNS", "src/report/README", "src/store/README", ".github/CHANGELOG"],
+    "Reference": ["reference/verbs", "campaigns/KEYS", "reference/names", "reference/measures", "src/store/COLUMNS",
+                  "reference/assumptions", "src/report/README", "src/store/README", ".github/CHANGELOG"],
     "Theory": ["src/rocking/README", "src/contact/README", "src/spectra/README", "generators/README", "src/rare/README",
                "src/stats/README"],
     "Code and tests": ["src/README", "src/motion/README", "tests/README", "tests/requirements", "tests/relations/README",
