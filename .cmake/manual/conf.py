@@ -19,6 +19,7 @@ include_patterns = ["README.md", "campaigns/README.md", "campaigns/KEYS.md", "ca
 html_theme = "furo"
 html_title = "overturn"
 html_show_sphinx = False
+smartquotes = False  # it would make one dash of the two of an option
 mathjax_path = "mathjax/MathJax.js?config=TeX-AMS_CHTML"  # a copy of the machine's own: no network
 myst_update_mathjax = False  # it is for version 3; Debian's is 2.7
 mathjax2_config = {"tex2jax": {"inlineMath": [["\\(", "\\)"]], "processClass": "math"}}

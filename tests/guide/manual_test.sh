@@ -28,6 +28,7 @@ for verb in $verbs; do
     section=$(sed -n "/<section id=\"$verb\">/,/<\/section>/p" "$reference/verbs.html" | sed 's/<[^>]*>//g')
     for option in $options; do grep -qF -- "$option" <<< "$section" || fail "reference/verbs: $verb has no $option"; done
 done
+! grep -qE "[–“”]" "$reference/verbs.html" || fail "reference/verbs: quotes or dashes are not those that a user types"
 entries() { "$program" list "$@" | grep -oE '^  [^ ]+' | tr -d ' '; }
 listed=$(entries measures; entries limits)
 [ "$(wc -w <<< "$listed")" -ge 30 ] || fail "$program lists no measures"
