@@ -5,6 +5,7 @@
 set -euo pipefail
 program=$1 source=$2
 fail() { echo "manual: $1" >&2; exit 1; }
+[ "$(wc -l < "$source/README.md")" -le 110 ] || fail "README.md has more than 110 lines: what a newcomer does not need belongs to the guide"
 command -v sphinx-build >/dev/null && /usr/bin/python3 -c 'import furo, myst_parser' 2>/dev/null \
     || { echo "manual: no Sphinx here (apt-get install python3-sphinx furo python3-myst-parser libjs-mathjax): skipped"; exit 77; }
 scratch=$(mktemp -d)
