@@ -116,13 +116,16 @@ TypedUnits typed_units(std::span<config::InputValue const> inputs) {
     return units_by([&](Dimension dimension) { return of_keys(inputs, dimension, ""); });
 }
 
-IntensityUnit shown_unit(CampaignSpec const& spec, std::string const& stored) {
-    auto const units = typed_units(spec);
+IntensityUnit shown_unit(TypedUnits const& units, std::string const& stored) {
     return stored == "m"      ? units.slip
            : stored == "m/s"  ? units.velocity
            : stored == "m/s2" ? units.acceleration
            : stored == "rad"  ? *unit_named("deg", Dimension::angle)
                               : IntensityUnit{stored};
+}
+
+IntensityUnit shown_unit(CampaignSpec const& spec, std::string const& stored) {
+    return shown_unit(typed_units(spec), stored);
 }
 
 }  // namespace overturn

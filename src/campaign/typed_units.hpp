@@ -24,6 +24,7 @@ namespace overturn {
 
 /// The unit for texts and tables of a response that is stored in `stored`, an SI symbol: of "m" that of slip, of "rad"
 /// degrees.
+[[nodiscard]] IntensityUnit shown_unit(TypedUnits const& units, std::string const& stored);
 [[nodiscard]] IntensityUnit shown_unit(CampaignSpec const& spec, std::string const& stored);
 
 }  // namespace overturn

@@ -182,9 +182,6 @@ Json supports_of(CampaignSpec const& spec) {
 
 Json bodies_json(CampaignSpec const& spec) {
     auto const units = typed_units(spec);
-    auto const in = [](IntensityUnit const& unit, double value) {
-        return Json{{"value", unit.of(value)}, {"unit", unit.symbol}};
-    };
     Json list = Json::array();
     for (auto const& each : spec.bodies) {
         auto const& body = each.body;
@@ -205,11 +202,11 @@ Json bodies_json(CampaignSpec const& spec) {
                         {"uplift_mps2", body.uplift_acceleration_mps2()},
                         {"v_ereq_mps", body.limit_velocity_mps()},
                         {"stated",
-                         {{"mass", in(units.mass, body.mass_kg())},
-                          {"half_width", in(units.length, body.half_width_m())},
-                          {"centre_height", in(units.length, body.centre_height_m())},
-                          {"uplift", in(units.acceleration, body.uplift_acceleration_mps2())},
-                          {"v_ereq", in(units.velocity, body.limit_velocity_mps())}}},
+                         {{"mass", output::stated_json(body.mass_kg(), units.mass)},
+                          {"half_width", output::stated_json(body.half_width_m(), units.length)},
+                          {"centre_height", output::stated_json(body.centre_height_m(), units.length)},
+                          {"uplift", output::stated_json(body.uplift_acceleration_mps2(), units.acceleration)},
+                          {"v_ereq", output::stated_json(body.limit_velocity_mps(), units.velocity)}}},
                         {"remarks", remarks}});
     }
     return list;

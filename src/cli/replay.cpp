@@ -1,5 +1,8 @@
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -10,8 +13,10 @@
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/print_note.hpp"
+#include "output/json.hpp"
 #include "output/made_by.hpp"
 #include "output/rare_replay_text.hpp"
+#include "output/row_json.hpp"
 #include "output/trial_text.hpp"
 #include "report/figure.hpp"
 #include "results/rare_replay.hpp"
@@ -28,11 +33,15 @@ struct ReplayOptions {
     std::string limit = overturning_limit;
     VelocityUnit unit;
     Unverified unverified;
+    bool json = false;
 };
 
-int print_difference(ReplayOptions const& options, store::ResultsReader const& file,
-                     std::vector<std::string> const& different, std::string const& what) {
-    fmt::print("{}", output::difference_text(different));
+// \param text of what was computed, without whether it is bit-equal \param json the same, with it
+int print_replay(ReplayOptions const& options, store::ResultsReader const& file,
+                 std::vector<std::string> const& different, std::string const& what, std::string const& text,
+                 output::Json const& json) {
+    fmt::print("{}", options.json ? json.dump(2, ' ', false, output::Json::error_handler_t::replace) + "\n"
+                                  : text + output::difference_text(different));
     if (different.empty()) {
         (void)options.unverified.warn_if_changed(file, options.file);  // the row is sound, the file is not
         return done;
@@ -54,8 +63,9 @@ int replay(ReplayOptions const& options) {
     auto const spec = parse_campaign(input);
     if (!options.rare.empty()) {
         auto const again = replay_rare(file, spec, options.rare, options.limit, options.trial);
-        fmt::print("{}", output::rare_replay_text(again, options.trial, options.rare, options.limit));
-        return print_difference(options, file, again.different, fmt::format("row {}", options.trial));
+        return print_replay(options, file, again.different, fmt::format("row {}", options.trial),
+                            output::rare_replay_text(again, options.trial, options.rare, options.limit),
+                            output::rare_replay_json(again, options.trial, options.rare, options.limit));
     }
     auto const plan = plan_in(file, spec);
     auto const trials = std::ssize(file.integers("trials/verdict"));  // fewer than planned, maybe
@@ -82,9 +92,10 @@ int replay(ReplayOptions const& options) {
             print_note("{}: without V_WES (the campaign states [measures] energy = false)\n", options.plot);
         }
     }
-    fmt::print("{}", output::trial_text(spec, row, options.trial, plan.number(wave)));
-    return print_difference(options, file, differing_columns(file, spec, stored, trial),
-                            fmt::format("trial {}", options.trial));
+    auto const different = differing_columns(file, spec, stored, trial);
+    return print_replay(options, file, different, fmt::format("trial {}", options.trial),
+                        output::trial_text(spec, row, options.trial, plan.number(wave)),
+                        output::replay_json({spec, trial, options.trial, plan.number(wave), different}));
 }
 
 }  // namespace
@@ -99,6 +110,7 @@ void add_replay(CommandLine& line) {
     verb.takes("--history", options->history, "write the trial's history to this csv file");
     verb.takes("--plot", options->plot, "draw wave, rotation, energy and contact over time, .svg, .png or .pdf");
     options->unit.offered_by(verb);
+    verb.takes("--json", options->json, "as JSON: all columns of the row, in SI and in the units of the campaign");
     options->unverified.offered_by(verb);
     verb.does([options] { return replay(*options); });
 }

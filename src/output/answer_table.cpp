@@ -1,13 +1,16 @@
 #include <limits>
 
+#include "campaign/typed_units.hpp"
 #include "output/answer.hpp"
 #include "output/detail/answer_parts.hpp"
+#include "output/detail/level_unit.hpp"
 
 namespace overturn::output {
 
 Table answer_table(Answered const& of) {
     struct Row {
         BodyAnalysis const* body;
+        std::optional<double> alpha_rad;  // where all trials have the same
         std::string limit;
         std::size_t level;
         Stripe const* stripe;
@@ -22,9 +25,11 @@ Table answer_table(Answered const& of) {
     for (std::size_t b = 0; b < of.analysis.size() && !of.spec.is_grid(); ++b) {
         auto const& body = of.analysis[b];
         bodies.push_back(body.body);
+        bool const drawn = !of.spec.bodies[b].scattering().empty();
+        auto const alpha_rad = drawn ? std::nullopt : std::optional(of.spec.bodies[b].body.alpha_rad());
         for (std::size_t limit = 0; limit < limits.size(); ++limit) {
             for (auto const l : answer_levels(of.spec.levels)) {
-                rows.push_back({&body, limits[limit], l, &of.statistics.bodies()[b].stripes_of(limit)[l],
+                rows.push_back({&body, alpha_rad, limits[limit], l, &of.statistics.bodies()[b].stripes_of(limit)[l],
                                 frequency_at(of, body.body, limits[limit]), &body.curves_of(limit).front().fit});
             }
         }
@@ -41,9 +46,17 @@ Table answer_table(Answered const& of) {
             return value >= at->fallen ? std::numeric_limits<double>::infinity() : value;
         };
     };
+    auto const rotation = [&](bool median) {
+        return [ratio = percentile("peak_rotation_ratio", median)](Row const& row) -> std::optional<double> {
+            auto const value = ratio(row);
+            return value && row.alpha_rad ? std::optional(*value * *row.alpha_rad) : std::nullopt;
+        };
+    };
+    auto const slip = Unit("m").as(typed_units(of.spec).slip);
+    auto const tilt = Unit("rad").as(shown_unit(of.spec, "rad"));
     table.category("body", "the body", bodies, [](Row const& row) { return row.body->body; })
         .category("limit", "the limit state", limits, [](Row const& row) { return row.limit; })
-        .add("amplitude", stated_unit(of.spec.levels.units()), "value of the level",
+        .add("amplitude", level_unit(of.spec.levels), "value of the level",
              [](Row const& row) { return row.stripe->amplitude; })
         .category(
             "purpose", "purpose of the level",
@@ -56,12 +69,14 @@ Table answer_table(Answered const& of) {
              [](Row const& row) { return row.stripe->trials - row.stripe->decided(); })
         .add("probability", "1", "P of the limit state", [](Row const& row) { return row.stripe->probability(); })
         .add("", "1", "its exact interval", [&](Row const& row) { return row.stripe->interval(of.confidence); })
-        .add("peak_slip_median", "m", "median of the peak slip; infinite: overturned", percentile("peak_slip", true))
-        .add("peak_slip_p95", "m", "95th percentile of it", percentile("peak_slip", false))
+        .add("peak_slip_median", slip, "median of the peak slip; infinite: overturned", percentile("peak_slip", true))
+        .add("peak_slip_p95", slip, "95th percentile of it", percentile("peak_slip", false))
         .add("peak_rotation_ratio_median", "1", "median of the peak tilt over alpha; infinite: overturned",
              percentile("peak_rotation_ratio", true))
         .add("peak_rotation_ratio_p95", "1", "95th percentile of it", percentile("peak_rotation_ratio", false))
-        .add("hclpf", stated_unit(of.spec.levels.units()), "HCLPF of the limit state; NaN: not known",
+        .add("peak_rotation_median", tilt, "the same as an angle; NaN: alpha is drawn", rotation(true))
+        .add("peak_rotation_p95", tilt, "95th percentile of it", rotation(false))
+        .add("hclpf", level_unit(of.spec.levels), "HCLPF of the limit state; NaN: not known",
              [](Row const& row) { return row.fit->hclpf(); })
         .add("annual_frequency", "1/a", "times a year, where a hazard curve is given",
              [](Row const& row) -> std::optional<Interval> {

@@ -1,6 +1,10 @@
 #include "output/json.hpp"
 
 #include <cmath>
+#include <utility>
+#include <variant>
+
+#include "core/field.hpp"
 
 namespace overturn::output {
 
@@ -19,6 +23,10 @@ Json json_of(Cell const& cell) {
         cell);
 }
 
+Json stated_json(double si, IntensityUnit const& unit) {
+    return {{"value", std::isfinite(si) ? Json(unit.of(si)) : Json(nullptr)}, {"unit", unit.symbol}};
+}
+
 Json json_of(Table const& table) {
     auto list = Json::array();
     std::vector<std::string> keys;
@@ -30,8 +38,16 @@ Json json_of(Table const& table) {
         for (auto const& [name, value] : table.constants) {
             object[name] = json_of(value);
         }
+        Json stated;
         for (std::size_t c = 0; c < keys.size(); ++c) {
             object[keys[c]] = json_of(row[c]);
+            if (auto const& unit = table.columns[c].unit.typed) {
+                auto const* const si = std::get_if<double>(&row[c]);
+                stated[table.columns[c].name] = stated_json(si != nullptr ? *si : never, *unit);
+            }
+        }
+        if (!stated.is_null()) {
+            object["stated"] = std::move(stated);
         }
         list.push_back(std::move(object));
     }

@@ -9,6 +9,7 @@
 #include "campaign/typed_units.hpp"
 #include "output/answer.hpp"
 #include "output/detail/columns_text.hpp"
+#include "output/detail/level_unit.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::output {
@@ -109,13 +110,14 @@ Table records_table(CampaignSpec const& spec, std::span<TrialRow const> trials) 
     TableOf<TrialRow> table({.name = "records", .constants = {{"units", spec.levels.units()}}}, rows);
     table.add("record", "1", "the recorded motion", [&](TrialRow const& row) { return spec.source->name(row.wave); })
         .add("body", "1", "the body", [&](TrialRow const& row) { return spec.bodies[row.body].name; })
-        .add("amplitude", stated_unit(spec.levels.units()), "value of the level",
+        .add("amplitude", level_unit(spec.levels), "value of the level",
              [](TrialRow const& row) { return row.amplitude; })
         .add("verdict", "1", "how the trial ended",
              [](TrialRow const& row) { return std::string(entry_of(row.verdict).name); })
-        .add("peak_slip", "m", "largest slip; NaN: not simulated",
+        .add("peak_slip", Unit("m").as(typed_units(spec).slip), "largest slip; NaN: not simulated",
              [&](TrialRow const& row) { return spec.bodies[row.body].friction ? row.peak_slip_m : never; })
-        .add("peak_rotation", "rad", "largest rotation", [](TrialRow const& row) { return row.peak_rotation_rad; })
+        .add("peak_rotation", Unit("rad").as(shown_unit(spec, "rad")), "largest rotation",
+             [](TrialRow const& row) { return row.peak_rotation_rad; })
         .add("model", "1", "the model that gave the result", [](TrialRow const& row) { return model_name(row); });
     return table.take();
 }

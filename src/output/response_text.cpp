@@ -8,6 +8,7 @@
 
 #include "core/wrapped.hpp"
 #include "output/record_text.hpp"
+#include "output/row_json.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::output {
@@ -21,18 +22,6 @@ Json names_json(std::int64_t mask) {
         }
     }
     return names;
-}
-
-// What never came is null.
-Json value_json(std::span<std::byte const> row, Field const& field) {
-    if (field.type == FieldType::category) {
-        return category_at(row, field);
-    }
-    if (field.type == FieldType::integer) {
-        return integer_at(row, field);
-    }
-    double const value = real_at(row, field);
-    return std::isnan(value) ? Json(nullptr) : Json(value);
 }
 
 // Quantities that models share are those of the one that ran: the others know nothing of theirs.
@@ -139,6 +128,8 @@ Json json_of(OneResponse const& of) {
     json["effects"] = names_json(response.effects);
     json["effects_called"] = names_json(response.called);
     json["overturned"] = entry_of(response.verdict).fell;
+    auto stated = stated_of(fields_of<Response>(), bytes_of(response), spec.units);
+    stated["limit_velocity"] = stated_json(spec.body.limit_velocity_mps(), spec.units.velocity);
     json["response_velocity_mps"] = json["v_resp_mps"];
     json["limit_velocity_mps"] = spec.body.limit_velocity_mps();
     json["restitution"] = spec.body.restitution();
@@ -146,6 +137,16 @@ Json json_of(OneResponse const& of) {
     json["residual_velocity_mps"] = drift.end_velocity_mps;
     json["residual_displacement_m"] = drift.end_displacement_m;
     add_own_json(json, selector, own);
+    for (auto const& [traits, offset] : selector.extra_parts()) {
+        auto const of_model = stated_of(traits->fields, own.subspan(offset), spec.units);
+        for (auto const& [name, value] : of_model.items()) {
+            auto& place = stated[name];
+            if (place.is_null() || place["value"].is_null()) {
+                place = value;
+            }
+        }
+    }
+    json["stated"] = std::move(stated);
     return json;
 }
 

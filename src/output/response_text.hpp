@@ -25,7 +25,8 @@ struct OneResponse {
     std::span<std::byte const> own;  ///< columns of the models' own, as the selector lays them out
 };
 
-/// All columns of a trial [SI]; what never came is null.
+/// All columns of a trial [SI], and "stated": those with units in the units of the body's file. What never came is
+/// null.
 [[nodiscard]] Json json_of(OneResponse const& of);
 [[nodiscard]] std::string text_of(OneResponse const& of, ShownVelocity const& unit);
 

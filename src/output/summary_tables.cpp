@@ -7,7 +7,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "campaign/typed_units.hpp"
 #include "output/curve_tables.hpp"
+#include "output/detail/level_unit.hpp"
 #include "output/detail/verdict_names.hpp"
 #include "response/registry.hpp"
 #include "results/rare_results.hpp"
@@ -101,13 +103,13 @@ Table telling_trial_table(CampaignSpec const& spec, std::span<TellingTrial const
         .add("trial", "1", "number of its row in /trials", [](Row const& t) { return t.trial; })
         .add("wave", "1", "number of its wave", [](Row const& t) { return t.wave; })
         .add("level", "1", "number of its level", [](Row const& t) { return t.level; })
-        .add("amplitude", stated_unit(spec.levels.units()), "value of the level",
-             [](Row const& t) { return t.amplitude; })
+        .add("amplitude", level_unit(spec.levels), "value of the level", [](Row const& t) { return t.amplitude; })
         .category("verdict", "how it ended", verdict_names(),
                   [](Row const& t) { return std::string(entry_of(t.verdict).name); })
         .add("peak_rotation_ratio", "1", "max |theta| / alpha", [](Row const& t) { return t.peak_rotation_ratio; })
-        .add("peak_slip", "m", "max |slip| of the base", [](Row const& t) { return t.peak_slip_m; })
-        .add("overturned_at", stated_unit(spec.levels.units()),
+        .add("peak_slip", Unit("m").as(typed_units(spec).slip), "max |slip| of the base",
+             [](Row const& t) { return t.peak_slip_m; })
+        .add("overturned_at", level_unit(spec.levels),
              "of a trial that stood: the lower level at which its wave overturned the body",
              [](Row const& t) { return t.overturned_at; });
     return table.take();
@@ -127,13 +129,14 @@ Table hand_check_table(CampaignSpec const& spec, std::span<HandCheck const> chec
         .add("waves", "1", "first waves whose spectra are the demand", [](Row const& row) { return row.waves; })
         .add("left_out", "1", "components of the waves that the method leaves out",
              [](Row const& row) { return text_or_none(row.left_out); })
-        .add("overturning_level", stated_unit(spec.levels.units()), "level at which the demand reaches the capacity",
+        .add("overturning_level", level_unit(spec.levels), "level at which the demand reaches the capacity",
              [](Row const& row) { return row.overturning_level; })
         .add("rotation_ratio", "1", "rotation there over alpha",
              [=](Row const& row) { return row.rocking.rotation_rad / body_of(row).body.alpha_rad(); })
         .add("frequency", "Hz", "effective frequency there", [](Row const& row) { return row.rocking.frequency_hz; })
         .add("damping", "1", "effective damping", [](Row const& row) { return row.rocking.damping; })
-        .add("sliding", "m", "slip at the design basis; NaN: no friction or no design basis",
+        .add("sliding", Unit("m").as(typed_units(spec).slip),
+             "slip at the design basis; NaN: no friction or no design basis",
              [](Row const& row) { return row.sliding_m; });
     return table.take();
 }

@@ -1,10 +1,17 @@
 #include "output/table.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/error.hpp"
 
 namespace overturn::output {
+
+Unit Unit::as(IntensityUnit own) const {
+    auto unit = *this;
+    unit.typed = std::move(own);
+    return unit;
+}
 
 Unit stated_unit(std::string const& symbol) {
     Unit unit(symbol.c_str());

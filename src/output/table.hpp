@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/field.hpp"
+#include "stats/intensity_unit.hpp"
 #include "stats/proportion.hpp"
 
 namespace overturn::output {
@@ -35,8 +36,11 @@ struct Unit {
     std::string symbol;   ///< SI: "m"; "1": a pure number
     bool in_name = true;  ///< JSON and csv have it in the name: "peak_slip_m"; else by the table's "units"
     bool by_row = false;  ///< rows are of different measures: it is that of the row's column "units"
+    std::optional<IntensityUnit> typed = {};  ///< the campaign's own: JSON has the value in it too, in "stated"
 
     Unit(char const* fixed) : symbol(fixed) {}  // NOLINT(google-explicit-constructor): every column states one
+    /// The same, with the unit that the campaign states such numbers in.
+    [[nodiscard]] Unit as(IntensityUnit own) const;
 };
 /// The unit that the table's constant "units" names: that of the levels, or of a quantity.
 [[nodiscard]] Unit stated_unit(std::string const& symbol);

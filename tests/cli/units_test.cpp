@@ -20,6 +20,37 @@ using nlohmann::json;
 
 std::string const limit = "[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='4 cm'\n";
 
+// In inches, kip and g.
+std::string campaign_in_inches() {
+    auto campaign = small_campaign("shared", 3);
+    auto const replace = [&](std::string const& from, std::string const& to) {
+        for (auto at = campaign.find(from); at != std::string::npos; at = campaign.find(from)) {
+            campaign.replace(at, from.size(), to);
+        }
+    };
+    replace("mass='12.6 t'", "mass='27.8 KIP'");
+    replace("base_width='1.36 m'", "base_width='53.5 in'");
+    replace("centre_height='1.045 m'", "centre_height='3.43 ft'");
+    replace("values=['300 gal','600 gal','1200 gal']", "values=['0.3 g','0.6 g','1.8 g']");
+    replace("design_basis='600 gal'", "design_basis='0.6 g'");
+    replace("friction=0.5", "friction=0.2");  // slides
+    return campaign;
+}
+
+// "stated" of a name, in the unit, is the SI value of the column.
+void expect_typed(json const& row, std::string const& name, std::string const& column, std::string const& unit,
+                  double si) {
+    ASSERT_TRUE(row.contains(column) && row.at("stated").contains(name)) << row.dump(2);
+    auto const& typed = row.at("stated").at(name);
+    EXPECT_EQ(typed.at("unit"), unit) << name;
+    ASSERT_EQ(typed.at("value").is_null(), row.at(column).is_null()) << row.dump(2);
+    if (!typed.at("value").is_null()) {
+        EXPECT_DOUBLE_EQ(typed.at("value").get<double>() * si, row.at(column).get<double>()) << name;
+    }
+}
+
+constexpr double inch_m = 0.0254, g_mps2 = 9.80665, degree_rad = 3.14159265358979323846 / 180;
+
 class Units : public ::testing::Test {
   protected:
     // What `fit` prints and its JSON, of the small campaign with these levels.
@@ -135,18 +166,7 @@ TEST_F(Units, VelocitiesArePrintedAsRequested) {
 
 // A campaign in inches, pounds and g is read in these, wherever numbers are shown; JSON has both.
 TEST_F(Units, EverythingIsReadInTheUnitsOfTheCampaign) {
-    auto campaign = small_campaign("shared", 3);
-    auto const replace = [&](std::string const& from, std::string const& to) {
-        for (auto at = campaign.find(from); at != std::string::npos; at = campaign.find(from)) {
-            campaign.replace(at, from.size(), to);
-        }
-    };
-    replace("mass='12.6 t'", "mass='27.8 KIP'");
-    replace("base_width='1.36 m'", "base_width='53.5 in'");
-    replace("centre_height='1.045 m'", "centre_height='3.43 ft'");
-    replace("values=['300 gal','600 gal','1200 gal']", "values=['0.3 g','0.6 g','1.8 g']");
-    replace("design_basis='600 gal'", "design_basis='0.6 g'");
-    replace("friction=0.5", "friction=0.2");  // slides
+    auto const campaign = campaign_in_inches();
     auto const fast = "[[limits]]\nname='fast'\nquantity='v_resp'\nabove='60 kine'\n";
     folder.write("target.csv", target_csv);
     folder.write("c.toml", campaign + fast);
@@ -202,6 +222,39 @@ TEST_F(Units, EverythingIsReadInTheUnitsOfTheCampaign) {
           {"c.tables/curves.csv", "hclpf_lower [units],hclpf_lower [g],hclpf_upper [units],"}}) {
         EXPECT_NE(folder.read(file).find(titles), std::string::npos) << titles;
     }
+}
+
+// JSON has the numbers of the answer, of a record, of a trial and of one motion as SI and, under "stated", with
+// value and unit as they were typed.
+TEST_F(Units, JsonHasWhatWasTypedBesideSi) {
+    folder.write("target.csv", target_csv);
+    folder.write("c.toml", campaign_in_inches());
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    auto const fit = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
+    ASSERT_FALSE(fit.at("answer").empty());
+    for (auto const& row : fit.at("answer")) {
+        expect_typed(row, "amplitude", "amplitude", "g", g_mps2);
+        expect_typed(row, "hclpf", "hclpf", "g", g_mps2);
+        expect_typed(row, "peak_slip_p95", "peak_slip_p95_m", "in", inch_m);
+        expect_typed(row, "peak_rotation_p95", "peak_rotation_p95_rad", "deg", degree_rad);
+    }
+    EXPECT_GT(fit.at("answer").at(0).at("peak_slip_p95_m").get<double>(), 0);
+
+    auto const again = json::parse(overturn(folder, {"replay", "c.h5", "--trial", "1", "--json"}).out);
+    EXPECT_TRUE(again.at("bit_equal").get<bool>()) << again.at("different");
+    EXPECT_EQ(again.at("trial"), 1);
+    auto const& row = again.at("row");
+    expect_typed(row, "amplitude", "amplitude", "g", g_mps2);
+    expect_typed(row, "peak_slip", "peak_slip_m", "in", inch_m);
+    expect_typed(row, "peak_rotation", "peak_rotation_rad", "deg", degree_rad);
+    EXPECT_EQ(row.at("verdict"), "slid");
+
+    folder.write("b.toml", "mass='27.8 kip'\nbase_width='53.5 in'\ncentre_height='41 in'\ninertia='uniform-block'\n");
+    folder.write("w.csv", "time (s),acc (g)\n0,0\n0.01,0.9\n0.02,0.9\n0.03,0\n0.04,0\n");
+    auto const one = json::parse(overturn(folder, {"rock", "--body", "b.toml", "--wave", "w.csv", "--json"}).out);
+    expect_typed(one, "peak_rotation", "peak_rotation_rad", "deg", degree_rad);
+    expect_typed(one, "limit_velocity", "limit_velocity_mps", "m/s", 1);
+    EXPECT_GT(one.at("peak_rotation_rad").get<double>(), 0);
 }
 
 // JSON and the file do not know how the levels were written.

@@ -85,7 +85,7 @@ TEST_F(Verbs, RockJson) {
     auto const stands = json::parse(done(command).out);
     auto const falls = json::parse(done(joined(command, {"--scale", "3", "--history", "h.csv"})).out);
 
-    EXPECT_EQ(keys_of(stands).size(), 51U);  // the contract's, and what else a row of /trials says of a trial
+    EXPECT_EQ(keys_of(stands).size(), 52U);  // the contract's, what else a row of /trials says, and what was typed
     expect_keys(stands,
                 {"contact_lost_time_s", "verdict", "overturned", "peak_rotation_rad", "peak_rotation_ratio",
                  "peak_energy_ratio", "peak_impact_velocity_mps", "time_of_peak_s", "overturn_time_s", "first_uplift_s",
