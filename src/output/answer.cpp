@@ -34,10 +34,13 @@ std::string shortened(std::string const& name, std::size_t most) {
 
 std::string count_text(std::int64_t waves) { return fmt::format("{} wave{}", waves, waves == 1 ? "" : "s"); }
 
-constexpr double least_slip_m = 1e-4;  // below it a slip is not printed as a number
+constexpr std::int64_t least_waves = 5;  // recorded motions, for a curve
+constexpr double least_slip_m = 1e-4;    // below it a slip is not printed as a number
 
-// What one body needs of rows.
-enum class Detail { all, probabilities, overturning };
+// What one body needs of rows. Merged: the annual frequency stands behind HCLPF.
+enum class Detail { all, merged, probabilities, overturning };
+
+bool has_responses(Detail detail) { return detail == Detail::all || detail == Detail::merged; }
 
 class SheetMaker {
   public:
@@ -76,14 +79,15 @@ class SheetMaker {
     [[nodiscard]] std::size_t rows_of(Detail detail) const {
         auto const limits = of_.spec.limits.size();
         constexpr std::size_t responses = 2;
-        return detail == Detail::all ? parts_ * (limits + responses) + limits
+        auto const capacities = detail == Detail::all && !of_.frequencies.empty() ? 2 * limits : limits;
+        return has_responses(detail) ? parts_ * (limits + responses) + capacities
                                      : parts_ * (detail == Detail::probabilities ? limits : 1);
     }
 
     void add_rows() {
         auto const bodies = of_.analysis.size();
         auto detail = Detail::all;
-        for (auto const less : {Detail::probabilities, Detail::overturning}) {
+        for (auto const less : {Detail::merged, Detail::probabilities, Detail::overturning}) {
             detail = bodies * rows_of(detail) > most_rows_ ? less : detail;
         }
         auto const shown = most_first(std::min(bodies, most_rows_ / rows_of(detail)));
@@ -95,8 +99,11 @@ class SheetMaker {
                 "{} more bodies, with lower P, and other rows: --section stripes, responses, "
                 "curves",
                 bodies - shown.size());
-        } else if (detail != Detail::all) {
-            sheet_.left_out = "slip, tilt, HCLPF and other limits: --section stripes, responses, curves";
+        } else if (!has_responses(detail)) {
+            sheet_.left_out = of_.frequencies.empty()
+                                  ? "slip, tilt, HCLPF and other limits: --section stripes, responses, curves"
+                                  : "slip, tilt, HCLPF, frequency, other limits: --section stripes, responses, "
+                                    "curves, frequency";
         }
     }
 
@@ -133,28 +140,49 @@ class SheetMaker {
             add_row(limit == 0 ? body.body : "", "P(" + name + ")",
                     [&](std::size_t l) { return probability_text(counted.stripes_of(limit)[l], of_.confidence); });
         }
-        if (detail != Detail::all) {
+        if (!has_responses(detail)) {
             return;
         }
         if (!are_few_records(of_.spec, of_.statistics.waves().waves)) {  // else each is a row of its own below
             add_responses(b);
         }
         for (std::size_t limit = 0; limit < limits; ++limit) {
-            auto const& state = of_.spec.limits[limit];
-            sheet_.rows.push_back({"", limit == 0 ? "HCLPF" : "HCLPF " + said_name(state, of_.spec.limits),
-                                   capacity_text(body.body, state.name, body.curves_of(limit).front())});
+            add_capacity(body, limit, detail);
         }
     }
 
-    // "0.245 g (lower end 0.2 g); 4.6e-05 to 8.5e-05 a year"
-    [[nodiscard]] std::string capacity_text(std::string const& body, std::string const& limit,
-                                            MeasuredFragility const& curve) const {
-        auto const waves = of_.statistics.waves().waves;
-        if (constexpr std::int64_t least = 5; are_few_records(of_.spec, waves) && waves < least) {
-            return fmt::format("needs {} motions or more ({} here)", least, waves);
+    // HCLPF, and the annual frequency where there is a hazard curve.
+    void add_capacity(BodyAnalysis const& body, std::size_t limit, Detail detail) {
+        auto const& state = of_.spec.limits[limit];
+        auto const named = [&](std::string const& what) {
+            return limit == 0 ? what : what + " " + said_name(state, of_.spec.limits);
+        };
+        auto const& curve = body.curves_of(limit).front();
+        auto const yearly = frequency_text(body.body, state.name, curve);
+        bool const apart = detail == Detail::all;
+        sheet_.rows.push_back(
+            {"", named("HCLPF"), capacity_text(curve) + (apart || yearly.empty() ? "" : "; " + yearly)});
+        if (apart && !yearly.empty()) {
+            sheet_.rows.push_back({"", named("annual frequency"), yearly});
         }
+    }
+
+    [[nodiscard]] bool too_few_waves() const {
+        return are_few_records(of_.spec, of_.statistics.waves().waves) && of_.statistics.waves().waves < least_waves;
+    }
+
+    // "4.6e-05 to 8.5e-05 a year"; empty without a hazard curve.
+    [[nodiscard]] std::string frequency_text(std::string const& body, std::string const& limit,
+                                             MeasuredFragility const& curve) const {
         auto const* const f = frequency_at(of_, body, limit);
-        return hclpf_text(curve) + (f == nullptr ? std::string() : "; " + frequency_words(*f, curve));
+        return f == nullptr || too_few_waves() ? std::string() : frequency_words(*f, curve);
+    }
+
+    // "0.245 g (lower end 0.2 g)"
+    [[nodiscard]] std::string capacity_text(MeasuredFragility const& curve) const {
+        return too_few_waves()
+                   ? fmt::format("needs {} motions or more ({} here)", least_waves, of_.statistics.waves().waves)
+                   : hclpf_text(curve);
     }
 
     void add_responses(std::size_t b) {
@@ -208,13 +236,18 @@ struct Widths {
         auto const at = name.rfind(without_overturning);
         return at != std::string_view::npos && name.ends_with(')') ? name.substr(at) : std::string_view();
     }
+    /// Of a row: one for each level; or one for all, which begins further right where the row's name is long.
+    enum class Cells { of_levels, one };
     /// \param first, last of the columns behind the names
-    [[nodiscard]] std::string line(std::vector<std::string> const& parts, std::size_t first, std::size_t last) const {
+    [[nodiscard]] std::string line(std::vector<std::string> const& parts, std::size_t first, std::size_t last,
+                                   Cells cells = Cells::of_levels) const {
         // "P(hits n..hbour)": the name inside is shortened.
         auto const& name = parts[1];
+        bool const fits = text_width(name) <= row
+                          || (cells == Cells::one && body + 2 + text_width(name) + text_width(parts[2]) <= line_width);
         auto const end = words_of(name).empty() ? std::string(")") : std::string(words_of(name));
         auto const inside = row - 2 - end.size();
-        auto const what = text_width(name) <= row ? name
+        auto const what = fits ? name
                           : name.starts_with("P(")
                               ? "P(" + shortened(name.substr(2, name.size() - 2 - end.size()), inside) + end
                               : shortened(name, row);
@@ -278,7 +311,8 @@ std::string answer_text(Answered const& of) {
         for (auto const& row : sheet.rows) {
             bool const of_all_levels = row.size() == names + 1 && sheet.head.size() > row.size();
             if (!of_all_levels || first + across >= sheet.head.size()) {
-                text += of_all_levels ? widths.line(row, names, names + 1) : widths.line(row, first, first + across);
+                text += of_all_levels ? widths.line(row, names, names + 1, Widths::Cells::one)
+                                      : widths.line(row, first, first + across);
             }
         }
     }

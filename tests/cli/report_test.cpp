@@ -157,10 +157,10 @@ TEST_F(Report, ShowsAnnualFrequenciesByAHazardCurve) {
     auto const page = folder->read("f.html");
     EXPECT_NE(page.find("<section id=\"frequency\">"), std::string::npos);
     EXPECT_LT(page.find(" times a year (95 %: "), page.find("<nav>")) << "a headline";
-    // A capacity with its frequency takes the columns of all levels: no number is broken.
-    auto const capacity = page.find("<td colspan=");
-    EXPECT_LT(capacity, page.find("<nav>"));
-    EXPECT_NE(page.substr(capacity, page.find("</td>", capacity) - capacity).find(" a year"), std::string::npos);
+    // It has a row of its own, and the columns of all levels: no number is broken.
+    auto const row = page.find(">annual frequency</td><td class=short colspan=");
+    EXPECT_LT(row, page.find("<nav>"));
+    EXPECT_NE(page.substr(row, page.find("</tr>", row) - row).find(" a year"), std::string::npos);
     EXPECT_NE(page.find("hz.csv: 5 points from 100 gal (0.01 1/a) to 2000 gal (1e-06 1/a)"), std::string::npos);
     auto const without = overturn(*folder, {"report", "c.h5", "-o", "g.html"});
     ASSERT_EQ(without.code, 0) << without.err;

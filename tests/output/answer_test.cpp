@@ -2,7 +2,10 @@
 #include "output/answer.hpp"
 
 #include <algorithm>
+#include <span>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -57,8 +60,23 @@ struct Made {
         }
         analysis = analyse(spec, statistics, {});
     }
-    [[nodiscard]] std::string text() const {
-        return output::answer_text({.spec = spec, .statistics = statistics, .analysis = analysis});
+    [[nodiscard]] std::string text(std::span<BodyFrequency const> frequencies = {}) const {
+        return output::answer_text(
+            {.spec = spec, .statistics = statistics, .analysis = analysis, .frequencies = frequencies});
+    }
+    // One for each body and limit state.
+    [[nodiscard]] std::vector<BodyFrequency> frequencies() const {
+        std::vector<BodyFrequency> all;
+        for (auto const& body : spec.bodies) {
+            for (auto const& limit : spec.limits) {
+                BodyFrequency one;
+                one.body = body.name;
+                one.limit = limit.name;
+                one.seen = {1.2301e-5, 4.5601e-4};
+                all.push_back(one);
+            }
+        }
+        return all;
     }
 };
 
@@ -82,12 +100,15 @@ TEST(Answer, FitsAScreen) {
         Made const made(text,
                         "design_basis='600 gal'\n[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='20 mm'\n",
                         {0, 0, 5, 20});
-        auto const lines = lines_of(made.text());
-        auto const end = std::ranges::find_if(lines, [](auto const& line) { return line.starts_with("Waves: "); });
-        ASSERT_NE(end, lines.end());
-        EXPECT_LE(end - lines.begin(), 15) << made.text();
-        for (auto const& line : lines) {
-            EXPECT_LE(line.size(), 100) << line;
+        auto const frequencies = made.frequencies();
+        for (auto const& answer : {made.text(), made.text(frequencies)}) {
+            auto const lines = lines_of(answer);
+            auto const end = std::ranges::find_if(lines, [](auto const& line) { return line.starts_with("Waves: "); });
+            ASSERT_NE(end, lines.end());
+            EXPECT_LE(end - lines.begin(), 15) << answer;
+            for (auto const& line : lines) {
+                EXPECT_LE(line.size(), 100) << line;
+            }
         }
         EXPECT_EQ(made.text().find("more bodies, with lower P") != std::string::npos, bodies > 12) << made.text();
     }
@@ -105,6 +126,28 @@ TEST(Answer, HoldsTheNumbers) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     }
     EXPECT_EQ(text.find("300 gal"), std::string::npos) << text;
+}
+
+// with a hazard curve a row says how often a year, of overturning and of each limit state, its interval
+// rounded outwards, whole beside a long name; where rows are too many it stands behind HCLPF.
+TEST(Answer, HasARowForTheAnnualFrequency) {
+    auto const limit = "design_basis='600 gal'\n[[limits]]\nname='touches'\nquantity='peak_slip'\nabove='20 mm'\n";
+    Made const one(body_named("cask of a rather long name"), limit, {0, 0, 5, 40});
+    auto const frequencies = one.frequencies();
+    auto const lines = lines_of(one.text(frequencies));
+    auto const rows = [&](std::string const& row) {
+        return std::ranges::count_if(lines, [&](auto const& line) { return line == std::string(19, ' ') + row; });
+    };
+    EXPECT_EQ(rows("annual frequency 1.23e-05 to 0.000457 a year"), 1) << one.text(frequencies);
+    EXPECT_EQ(rows("annual frequency touches > 1.23e-05 a year"), 1) << "beta_U is not known\n"
+                                                                     << one.text(frequencies);
+    EXPECT_EQ(one.text().find("a year"), std::string::npos);
+
+    Made const two(body_named("one") + body_named("two"), limit, {0, 0, 5, 40});
+    auto const merged = two.text(two.frequencies());
+    EXPECT_EQ(merged.find("annual frequency "), std::string::npos) << merged;
+    EXPECT_NE(merged.find("; 1.23e-05 to 0.000457 a year\n"), std::string::npos) << merged;
+    EXPECT_NE(merged.find("slip [mm]"), std::string::npos) << merged;
 }
 
 // the design basis and named levels first; else the ends and the middle.
