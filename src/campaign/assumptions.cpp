@@ -26,7 +26,9 @@ bool is_choice(std::string_view key) {
 }
 
 bool is_physical(std::string_view key) {
-    return (key.starts_with("waves.") || key.starts_with("bodies") || key.starts_with("levels.")) && !is_choice(key);
+    return key == beta_u_key
+           || ((key.starts_with("waves.") || key.starts_with("bodies") || key.starts_with("levels."))
+               && !is_choice(key));
 }
 
 // "friction" holds "friction.static".
@@ -75,6 +77,12 @@ InputTally tally_of(std::span<config::InputValue const> inputs) {
         }
     }
     return tally;
+}
+
+bool is_beta_u_assumed(CampaignSpec const& spec) {
+    return std::ranges::any_of(spec.inputs, [](config::InputValue const& value) {
+        return value.key == beta_u_key && value.basis == config::Basis::assumed;
+    });
 }
 
 std::string text_of(InputTally const& tally) {

@@ -13,8 +13,10 @@
 
 namespace overturn {
 
-/// The inputs of [waves], [[bodies]] and [levels] that stand for something: no names, no files, no choices of how much
-/// is computed, no key of a body's file that one beside the file outranks.
+inline constexpr std::string_view beta_u_key = "statistics.beta_u";
+
+/// The inputs of [waves], [[bodies]] and [levels], and beta_U, that stand for something: no names, no files, no choices
+/// of how much is computed, no key of a body's file that one beside the file outranks.
 [[nodiscard]] std::vector<config::InputValue> physical_inputs(CampaignSpec const& spec);
 
 /// Number of inputs by their basis.
@@ -24,6 +26,8 @@ struct InputTally {
     [[nodiscard]] std::int64_t all() const { return assumed + published + measured + not_stated + by_default; }
 };
 [[nodiscard]] InputTally tally_of(std::span<config::InputValue const> inputs);
+/// Was the campaign's beta_U assumed?
+[[nodiscard]] bool is_beta_u_assumed(CampaignSpec const& spec);
 /// "12 of 30 inputs are assumed, 9 published, 0 measured, 2 not stated, 7 defaults of this program"
 [[nodiscard]] std::string text_of(InputTally const& tally);
 

@@ -47,6 +47,7 @@ StatedValues decisive(CampaignInput const& input) {
         return std::ranges::any_of(cover_keys, [&](config::Key const& key) { return is_below(each.first, key.name); });
     });
     values.erase("statistics.confidence");
+    values.erase("statistics.beta_u");
     std::erase_if(values, [](auto const& each) { return is_below(each.first, "hazard"); });
     return values;
 }

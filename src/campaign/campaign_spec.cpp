@@ -255,6 +255,7 @@ CampaignSpec read_campaign(Table const& root, CampaignInput const& input, InputF
     keep_hazard(root, files, spec);
     auto const statistics = root.child_or_empty(campaign_keys["statistics"]);
     spec.confidence = statistics.number(statistics_keys["confidence"]);
+    spec.beta_u = statistics.maybe_number(statistics_keys["beta_u"]).value_or(0);
     spec.limits = read_limits(root, statistics,
                               spec.is_grid()                  ? WavesOfLevels::grid
                               : spec.levels.independent_waves ? WavesOfLevels::independent

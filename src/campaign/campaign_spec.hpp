@@ -74,6 +74,7 @@ struct CampaignSpec {
     MeasureSpec measures;
     std::optional<RareSpec> rare;  ///< of every body and level, beside the trials
     double confidence = 0.95;
+    double beta_u = 0;                       ///< of the curves, beside what is sampled; 0: not stated
     Site site;                               ///< surroundings of every body
     std::vector<LimitState> limits;          ///< overturning, those of the site, then those of [[limits]]
     std::vector<config::InputValue> inputs;  ///< every value that was read, and where it comes from

@@ -86,6 +86,7 @@ bool without_spectrum(StudyAnswers const& answers) { return !answers.spectrum; }
 bool of_site(StudyAnswers const& answers) { return answers.has_site(); }
 
 constexpr double largest_friction = 1e3;
+constexpr double least_beta_u = 1e-3, largest_beta_u = 5;
 
 using Answers = StudyAnswers;
 constexpr std::array questions{
@@ -146,7 +147,12 @@ constexpr std::array questions{
     StudyQuestion{"--design-basis", "'0.3 g'", "peak acceleration or velocity of the design basis",
                   &Answers::design_basis, check_level, true},
     StudyQuestion{"--hazard", "CURVE.csv", "seismic hazard curve, for annual frequencies", &Answers::hazard,
-                  check_file}};
+                  check_file},
+    StudyQuestion{"--beta-u", "0.3",
+                  "beta_U for HCLPF: lognormal standard deviation of the median from uncertain properties of the cask",
+                  &Answers::beta_u, [](std::string const& text) {
+                      check_number(text, least_beta_u, largest_beta_u, "from 0.001 to 5");
+                  }}};
 
 }  // namespace
 

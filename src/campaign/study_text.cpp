@@ -234,7 +234,8 @@ void write_levels(StudyText& out, StudyAnswers const& a) {
 void write_site(StudyText& out, StudyAnswers const& a) {
     if (!a.has_site()) {
         out.line("\n# assumed: no obstacle near the cask, because --gap, --wall and --edge were not given");
-        out.line(R"(# site = {cask = "0.8 m", edge = "2 m"})");
+        out.line("# [site]");
+        out.line("# cask = \"0.8 m\"");
         return;
     }
     out.begin("[site]");
@@ -249,6 +250,18 @@ void write_site(StudyText& out, StudyAnswers const& a) {
     a.height ? out.state("height", quoted(*a.height))
              : out.leave_out("height = \"5.2 m\"",
                              "twice the height of the centre of gravity, because no full height was given");
+}
+
+void write_statistics(StudyText& out, StudyAnswers const& a) {
+    if (a.beta_u) {
+        out.begin("[statistics]");
+        out.state("beta_u", as_value(*a.beta_u));
+        return;
+    }
+    out.line("");
+    out.leave_out("[statistics]\n# beta_u = 0.3",
+                  "no HCLPF, because no beta_U was given (lognormal standard deviation of the median from uncertain "
+                  "properties of the cask)");
 }
 
 }  // namespace
@@ -266,6 +279,7 @@ std::string study_text(std::string const& name, StudyAnswers const& answers) {
     }
     write_levels(out, answers);
     write_site(out, answers);
+    write_statistics(out, answers);
     return out.text();
 }
 

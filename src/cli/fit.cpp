@@ -97,6 +97,7 @@ int print_refit(FitOptions const& options, store::ResultsReader const& file, Cam
 // All output on a file, as JSON or as tables.
 struct Fitted {
     double confidence;
+    bool beta_u_of_campaign;
     std::vector<BodyAnalysis> analysis;
     std::vector<RareBody> rare;
     std::vector<TellingTrial> telling = {};
@@ -112,6 +113,7 @@ Fitted fitted(FitOptions const& options, output::TextOptions const& text, store:
               CampaignInput const& input, CampaignSpec const& spec, Statistics const& statistics) {
     double const confidence = options.confidence.value_or(spec.confidence);
     Fitted all{.confidence = confidence,
+               .beta_u_of_campaign = !options.beta_u,
                .analysis = analyse(spec, statistics, {.confidence = confidence, .beta_u = options.beta_u}),
                .rare = file == nullptr ? std::vector<RareBody>{} : read_rare_estimates(*file, spec)};
     tell_velocities(all.analysis, text.velocities ? text.velocities : typed_unit(spec, Dimension::velocity));
@@ -139,7 +141,8 @@ output::Answered answered_of(Fitted const& all, CampaignSpec const& spec, Statis
             .statistics = statistics,
             .analysis = all.analysis,
             .confidence = all.confidence,
-            .frequencies = all.frequencies};
+            .frequencies = all.frequencies,
+            .beta_u_of_campaign = all.beta_u_of_campaign};
 }
 
 output::Json levels_json(LevelSpec const& levels) {
@@ -214,7 +217,7 @@ int fit_file(FitOptions const& options) {
     } else {
         print_fitted(all, spec, statistics, withheld, options.file, text);
     }
-    bool const own = all.confidence == spec.confidence && options.beta_u == 0;
+    bool const own = all.confidence == spec.confidence && !options.beta_u;
     return print_refit(options, file, spec, statistics, own ? &all.analysis : nullptr);
 }
 
@@ -254,7 +257,10 @@ void add_fit(CommandLine& line) {
     verb.takes("--beta", options->beta, "lognormal standard deviation of the given curve; with --beta-u: its beta_R");
     verb.takes("--json", options->json, "as JSON");
     verb.takes("--interim", options->interim, "fit an unfinished run: the waves that are done so far");
-    verb.takes("--beta-u", options->beta_u, "epistemic lognormal standard deviation beta_U, for HCLPF");
+    verb.takes(
+        "--beta-u", options->beta_u,
+        "beta_U for HCLPF: lognormal standard deviation of the median from uncertain properties of the body; default: "
+        "that of the campaign");
     verb.takes("--confidence", options->confidence,
                "confidence level of all intervals; default: that of the campaign, or 0.95");
     verb.takes("--design-basis", options->design_basis,

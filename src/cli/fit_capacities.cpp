@@ -68,7 +68,7 @@ int fit_capacities(FitOptions const& options) {
     constexpr double usual = 0.95;
     FragilityRequest request;
     request.confidence = options.confidence.value_or(usual);
-    request.beta_u = options.beta_u;
+    request.beta_u = options.beta_u.value_or(0);
     auto const measured = fitted(table, request);
     std::optional<HazardCurve> hazard;
     std::vector<BodyFrequency> frequencies;

@@ -10,10 +10,12 @@
 namespace overturn::cli {
 
 /// Checks --beta-u and --confidence (none: the campaign's). \throws InputError
-inline void check_fit_options(double beta_u, std::optional<double> confidence) {
-    validate(beta_u >= 0 && std::isfinite(beta_u),
-             "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", beta_u);
-    output::check_spread("--beta-u", beta_u);
+inline void check_fit_options(std::optional<double> beta_u, std::optional<double> confidence) {
+    if (beta_u) {
+        validate(*beta_u >= 0 && std::isfinite(*beta_u),
+                 "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", *beta_u);
+        output::check_spread("--beta-u", *beta_u);
+    }
     validate(!confidence || (*confidence > 0 && *confidence < 1),
              "--confidence: {} (must lie between 0 and 1). State e.g. 0.95", confidence.value_or(0));
 }

@@ -49,7 +49,8 @@ int fit_stated(FitOptions const& options) {
              "--beta: {} (must be above 0). It is a lognormal standard deviation", *options.beta);
     output::check_spread("--beta", *options.beta);
     auto const median = read_median(options.median);
-    output::StatedCurve const curve{median.value, median.unit, median.dimension, *options.beta, options.beta_u};
+    output::StatedCurve const curve{median.value, median.unit, median.dimension, *options.beta,
+                                    options.beta_u.value_or(0)};
     std::optional<HazardCurve> hazard;
     std::vector<BodyFrequency> frequencies;
     constexpr double none = 1;     // no sample, no confidence: bounds

@@ -58,7 +58,7 @@ int fit_stripes(FitOptions const& options) {
     constexpr double usual = 0.95;
     FragilityRequest request;
     request.confidence = options.confidence.value_or(usual);
-    request.beta_u = options.beta_u;
+    request.beta_u = options.beta_u.value_or(0);
     MeasuredFragility measured;
     measured.name = "amplitude";
     measured.label = table.amplitude;

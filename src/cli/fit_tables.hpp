@@ -18,8 +18,8 @@ struct FitOptions {
     std::string stripes;
     std::string capacities;
     bool json = false;
-    bool interim = false;  ///< of a run that is not complete
-    double beta_u = 0;
+    bool interim = false;              ///< of a run that is not complete
+    std::optional<double> beta_u;      ///< none: the campaign's, or none
     std::optional<double> confidence;  ///< none: the campaign's, or 0.95
     std::string design_basis;          ///< of stripes, in their unit or with its own
     std::string median;                ///< of a stated curve, with its unit

@@ -55,7 +55,7 @@ namespace fs = std::filesystem;
 struct ReportOptions {
     std::string file, page, figures, outcomes, hazard, date;
     std::vector<std::string> records;
-    double beta_u = 0;
+    std::optional<double> beta_u;  ///< none: the campaign's
     VelocityUnit unit;
     std::optional<double> confidence;  ///< none: the campaign's
     Unverified unverified;
@@ -190,11 +190,11 @@ Json begun(ReportOptions const& options, CampaignSpec const& spec) {
     return data;
 }
 
-void add_stated_facts(ReportOptions const& options, double confidence, Json& data) {
+void add_stated_facts(ReportOptions const& options, CampaignSpec const& spec, double confidence, Json& data) {
     data["confidence"] = confidence;
     data["method"].push_back({"confidence", fmt::format("{:g} %", 100 * confidence)});
-    if (options.beta_u > 0) {
-        data["facts"].push_back({"beta_U as stated", fmt::format("{:g}", options.beta_u)});
+    if (double const beta_u = options.beta_u.value_or(spec.beta_u); beta_u > 0) {
+        data["facts"].push_back({"beta_U as stated", fmt::format("{:g}", beta_u)});
     }
 }
 
@@ -232,14 +232,15 @@ int write_report(ReportOptions const& options) {
     data["changed"] = changed ? output::changed_file_text() : "";
     data["facts"] = facts_of(spec, plan, statistics);
     data["method"] = method_of(spec);
-    add_stated_facts(options, confidence, data);
+    add_stated_facts(options, spec, confidence, data);
     add_cover(options, spec, data);
     auto const frequencies = add_frequencies(options.hazard, input, spec, statistics, analysis, confidence, data);
     output::Answered const answered{.spec = spec,
                                     .statistics = statistics,
                                     .analysis = analysis,
                                     .confidence = confidence,
-                                    .frequencies = frequencies};
+                                    .frequencies = frequencies,
+                                    .beta_u_of_campaign = !options.beta_u};
     data["answer"] = answer_of(answered);
     auto const records = output::record_sheet(spec, trials_of_few_waves(spec, file));
     data["records"] = {{"head", records.head}, {"rows", records.rows}};
@@ -279,7 +280,10 @@ void add_report(CommandLine& line) {
                "list this check on the page: a record of verify, qualify or cost (--json); may be repeated",
                "CHECK.json");
     verb.takes("--date", options->date, "date printed on the cover, exactly as given; default: none");
-    verb.takes("--beta-u", options->beta_u, "epistemic lognormal standard deviation beta_U, for HCLPF");
+    verb.takes(
+        "--beta-u", options->beta_u,
+        "beta_U for HCLPF: lognormal standard deviation of the median from uncertain properties of the body; default: "
+        "that of the campaign");
     verb.takes("--confidence", options->confidence, "confidence level of all intervals; default: that of the campaign");
     options->unverified.offered_by(verb);
     verb.does([options] { return write_report(*options); });

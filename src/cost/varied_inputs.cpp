@@ -133,7 +133,8 @@ VariedInputs varied_inputs(CampaignSpec const& spec) {
     auto inputs = physical_inputs(spec);
     add_default_pads(spec, inputs);
     for (auto const& value : inputs) {
-        if (value.basis != config::Basis::assumed && !is_deciding_friction(spec, value)) {
+        if (value.key == beta_u_key  // it moves no trial
+            || (value.basis != config::Basis::assumed && !is_deciding_friction(spec, value))) {
             continue;
         }
         if (auto const why = why_unvaried(value); !why.empty()) {

@@ -161,7 +161,8 @@ class SheetMaker {
         auto const yearly = frequency_text(body.body, state.name, curve);
         bool const apart = detail == Detail::all;
         sheet_.rows.push_back(
-            {"", named("HCLPF"), capacity_text(curve) + (apart || yearly.empty() ? "" : "; " + yearly)});
+            {"", named("HCLPF"),
+             capacity_text(curve, apart || yearly.empty()) + (apart || yearly.empty() ? "" : "; " + yearly)});
         if (apart && !yearly.empty()) {
             sheet_.rows.push_back({"", named("annual frequency"), yearly});
         }
@@ -179,10 +180,10 @@ class SheetMaker {
     }
 
     // "0.245 g (lower end 0.2 g)"
-    [[nodiscard]] std::string capacity_text(MeasuredFragility const& curve) const {
+    [[nodiscard]] std::string capacity_text(MeasuredFragility const& curve, bool low_point) const {
         return too_few_waves()
                    ? fmt::format("needs {} motions or more ({} here)", least_waves, of_.statistics.waves().waves)
-                   : hclpf_text(curve);
+                   : hclpf_text(curve, {low_point, of_.beta_u_of_campaign && is_beta_u_assumed(of_.spec)});
     }
 
     void add_responses(std::size_t b) {

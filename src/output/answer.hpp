@@ -25,6 +25,7 @@ struct Answered {
     std::span<BodyAnalysis const> analysis;
     double confidence = 0.95;
     std::span<BodyFrequency const> frequencies = {};  ///< where there is a hazard curve
+    bool beta_u_of_campaign = true;                   ///< else of an option
 };
 
 /// The answer as people read it: rows of P of overturning and of every limit state with its interval, median and 95th

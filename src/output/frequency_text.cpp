@@ -138,8 +138,9 @@ std::vector<std::string> frequency_notes(BodyFrequency const& f, HazardCurve con
     std::vector<std::string> notes;
     if (lacks_beta_u(f)) {
         notes.emplace_back(
-            "no upper end, because beta_U is not known (--beta-u): uncertain properties of the body make the limit "
-            "state more frequent");
+            "no upper end, because beta_U is not known (--beta-u, or the campaign's key statistics.beta_u): uncertain "
+            "properties of "
+            "the body make the limit state more frequent");
     }
     if (f.mean) {
         if (!lacks_beta_u(f)) {

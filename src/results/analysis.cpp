@@ -139,7 +139,7 @@ class Analyst {
         FragilityRequest request;
         request.confidence = options_.confidence;
         request.passing = spec_.limits[limit].passing();
-        request.beta_u = options_.beta_u;
+        request.beta_u = options_.beta_u.value_or(spec_.beta_u);
         request.bootstrap = bootstrap_of(b);
         request.drawn = !spec_.bodies[b].scattering().empty();
         request.draws_balanced = spec_.sampling == Sampling::latin_hypercube;

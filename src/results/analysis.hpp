@@ -118,7 +118,7 @@ inline constexpr std::array quoted_multiples{1.0, 1.5, 2.0, 3.0};
 
 struct AnalysisOptions {
     double confidence = 0.95;
-    double beta_u = 0;  ///< 0: what the bodies' scatter says, if they have any
+    std::optional<double> beta_u = {};  ///< beside what the bodies' scatter says; none: the campaign's
     int replicates = 1000;
     int band_points = 0;  ///< of the curve over the levels' own measure
 };

@@ -2,11 +2,14 @@
 // from anybody's table; what is not identifiable is null, and bad tables are refused where they are wrong.
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
+#include "store/results_file.hpp"
 #include "support/command.hpp"
 #include "support/single_blanks.hpp"
 
@@ -322,6 +325,40 @@ TEST_F(Fit, ReportsThePartOfBetaFromTheBody) {
             EXPECT_EQ(after["beta_u_drawn"], before["beta_u_drawn"]);
         }
     }
+}
+
+// a campaign states beta_U: `run`, the file and `fit` then give HCLPF, as --beta-u does, which outranks
+// it. It moves no trial. Without it the answer says what is missing.
+TEST_F(Fit, TakesBetaUOfTheCampaign) {
+    folder.write("target.csv", target_csv);
+    std::string const levels = "levels.values=['600 gal','700 gal','800 gal','900 gal']";
+    auto campaign = small_campaign("shared", 20);
+    std::string const drawn = "{distribution='lognormal',median=0.85,beta=0.1}";
+    campaign.replace(campaign.find(drawn), drawn.size(), "0.85");
+    folder.write("c.toml", campaign);
+    auto const plain = overturn(folder, {"run", "c.toml", "--set", levels});
+    ASSERT_EQ(plain.code, 0) << plain.err;
+    EXPECT_NE(plain.out.find("unknown: beta_U of the body is not stated; 5 % point "), std::string::npos) << plain.out;
+    EXPECT_NE(plain.out.find("it needs beta_U, the spread of the median"), std::string::npos) << plain.out;
+    folder.write("u.toml", campaign + "[statistics]\nbeta_u={value=0.3,basis='assumed',source='usual'}\n");
+    auto const stated = overturn(folder, {"run", "u.toml", "--set", levels});
+    ASSERT_EQ(stated.code, 0) << stated.err;
+    EXPECT_NE(stated.out.find("; by beta_U 0.3, assumed\n"), std::string::npos) << stated.out;
+    auto const curves = [&](std::vector<std::string> const& arguments) {
+        return json::parse(overturn(folder, joined(joined({"fit"}, arguments), {"--json"})).out).at("fragility");
+    };
+    auto const by_key = curves({"u.h5"});
+    EXPECT_EQ(by_key, curves({"c.h5", "--beta-u", "0.3"}));
+    EXPECT_TRUE(std::ranges::any_of(by_key, [](json const& curve) { return curve.at("hclpf").is_number(); }));
+    EXPECT_EQ(curves({"u.h5", "--beta-u", "0.2"}), curves({"c.h5", "--beta-u", "0.2"}));
+    EXPECT_EQ(curves({"u.h5", "--beta-u", "0"}), curves({"c.h5"}));
+    auto const other = overturn(folder, {"fit", "u.h5", "--beta-u", "0.2"}).out;
+    EXPECT_NE(other.find("; by beta_U 0.2\n"), std::string::npos) << other;
+    EXPECT_EQ(store::ResultsReader(folder / "u.h5").reals("trials/peak_rotation"),
+              store::ResultsReader(folder / "c.h5").reals("trials/peak_rotation"));
+    auto const refused = overturn(folder, {"plan", "c.toml", "--set", "statistics.beta_u=30"});
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("statistics.beta_u"), std::string::npos) << refused.err;
 }
 
 }  // namespace

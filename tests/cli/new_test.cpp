@@ -106,10 +106,11 @@ TEST_F(New, OtherSpectraRulesAndFiles) {
           {"--records", "shaking.csv", "--baseline", "high-pass 0.2 Hz", "--design-basis", "40 kine"},
           {"--spectrum", "mlit-ch1", "--friction", "+.5D0", "--restitution", ".9", "--count", "007", "--design-basis",
            "1 g"},
-          {"--spectrum", "mlit-ch1", "--hazard", "hazard.csv", "--design-basis", "600 gal"}}) {
+          {"--spectrum", "mlit-ch1", "--hazard", "hazard.csv", "--design-basis", "600 gal", "--beta-u", "0.3"}}) {
         expect_planned(waves);
     }
     EXPECT_NE(folder.read("s.toml").find("hazard = \"hazard.csv\"\n"), std::string::npos) << folder.read("s.toml");
+    EXPECT_NE(folder.read("s.toml").find("[statistics]\nbeta_u = 0.3\n"), std::string::npos) << folder.read("s.toml");
     auto const other =
         written({"--spectrum", "target.csv", "--spectrum-kind", "acceleration", "--design-basis", "0.7 g"});
     EXPECT_NE(other.err.find("warning: design basis 0.7 g, but the target spectrum has 0.254929 g"), std::string::npos)

@@ -99,7 +99,7 @@ inline std::vector<std::string> key_campaigns() {
                     "restoring='nonlinear'\n"
                     "contact_step=0.3\npanel_phase=10\n");
     all.push_back("title='t'\nquestion='q?'\nprepared='p'\nchecked='c'\napproved='a'\nrevision='0'\nhazard='hazard.csv'\ninputs='stored'\nseed=1\n" + noise + "model='kanai-tajimi'\n" + usual
-                  + "friction=0.5\n[effects]\nmode='auto'\n[statistics]\nconfidence=0.9\ntarget_half_width=0.1\n"
+                  + "friction=0.5\n[effects]\nmode='auto'\n[statistics]\nconfidence=0.9\nbeta_u=0.3\ntarget_half_width=0.1\n"
                     "target_median_half_width=0.1\n[[limits]]\nname='a'\nquantity='peak_slip'\nabove='0.1 m'\n"
                     "overturned='excluded'\ntarget_half_width=0.2\n[[limits]]\nname='b'\nquantity='peak_slip'\nbelow='0.1 m'\n"
                     "[[limits]]\nname='c'\nany=['a','overturning']\n[[limits]]\nname='d'\nall=['a','b']\n");

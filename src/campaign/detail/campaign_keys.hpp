@@ -99,7 +99,11 @@ inline constexpr config::KeyTable accuracy_table{.meaning = "numerical accuracy 
 inline constexpr config::Keys statistics_keys{
     config::number_key("confidence", Dimension::none, {.low = 0, .high = 1, .low_open = true, .high_open = true},
                        "confidence level of all intervals")
-        .otherwise(0.95)};
+        .otherwise(0.95),
+    config::number_key("beta_u", Dimension::none, {.low = 0, .high = 5, .low_open = true},
+                       "beta_U of the fragility curves, beside what [scatter] samples: lognormal standard deviation of "
+                       "their median from uncertain properties of the body; HCLPF needs it")
+        .optional()};
 inline constexpr config::KeyTable statistics_table{
     .meaning = "confidence intervals and stopping rules", .keys = statistics_keys.all, .also = {&precision_table}};
 

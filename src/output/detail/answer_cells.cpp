@@ -55,7 +55,7 @@ std::string percentiles_text(LevelQuantiles const* at, double unit, double least
     return numbers + (high.upper ? fmt::format(" (<= {})", text(*high.upper)) : " (no limit)");
 }
 
-std::string hclpf_text(MeasuredFragility const& curve) {
+std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words) {
     auto const& fit = curve.fit;
     auto const text = [&](double intensity) {
         return curve.shown_in.text(curve.shown_in.si * rounded_down(curve.shown_in.of(intensity)));
@@ -64,10 +64,14 @@ std::string hclpf_text(MeasuredFragility const& curve) {
         return fmt::format("no curve ({})", curve_state(fit));
     }
     if (!fit.hclpf()) {
-        return fmt::format("needs beta_U (--beta-u); 5 % point {}", text(*fit.five_percent_point()));
+        std::string const missing = "unknown: beta_U of the body is not stated";
+        return words.low_point ? fmt::format("{}; 5 % point {}", missing, text(*fit.five_percent_point())) : missing;
     }
     auto const& ends = fit.intervals().hclpf;
-    return text(*fit.hclpf()) + (ends ? fmt::format(" (lower end {})", text(ends->lower)) : std::string());
+    auto const stated = fit.beta_u > fit.beta_u_drawn
+                            ? fmt::format("; by beta_U {:.3g}{}", fit.beta_u, words.beta_u_assumed ? ", assumed" : "")
+                            : std::string();
+    return text(*fit.hclpf()) + (ends ? fmt::format(" (lower end {})", text(ends->lower)) : std::string()) + stated;
 }
 
 std::string frequency_words(BodyFrequency const& f, MeasuredFragility const& curve) {

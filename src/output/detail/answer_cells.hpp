@@ -11,8 +11,13 @@ namespace overturn::output {
 /// it is below `least`. \param at null: not simulated \param unit of the response, in that of `at`
 [[nodiscard]] std::string percentiles_text(LevelQuantiles const* at, double unit, double least);
 
-/// "420 gal (lower end 380 gal)", or why there is none.
-[[nodiscard]] std::string hclpf_text(MeasuredFragility const& curve);
+/// What the cell of HCLPF adds.
+struct HclpfWords {
+    bool low_point = true;        ///< the 5 % point where beta_U is missing
+    bool beta_u_assumed = false;  ///< the campaign's beta_U, by which it is known
+};
+/// "420 gal (lower end 380 gal); by beta_U 0.3, assumed", or why there is none.
+[[nodiscard]] std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words);
 
 /// "3.8e-08 to 5.9e-08 a year"; "> 3.8e-08 a year" where beta_U, which raises it, is not known.
 [[nodiscard]] std::string frequency_words(BodyFrequency const& f, MeasuredFragility const& curve);

@@ -172,9 +172,10 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
                                                     fit.monotone.p_value));
     add_if(FragilityFlag::poor_fit, poor_text(fit));
     add_if(FragilityFlag::five_percent_doubtful, doubtful_text(fit, unit, confidence));
-    add_if(FragilityFlag::no_beta_u,
-           "no HCLPF: beta_U was not given (--beta-u), and no uncertain property of the body changes the median "
-           "significantly. The 5 % point is that of the fitted curve");
+    add_if(
+        FragilityFlag::no_beta_u,
+        "no HCLPF: it needs beta_U, the spread of the median from uncertain properties of the body (--beta-u, or key "
+        "statistics.beta_u). No sampled property changes the median significantly. The 5 % point is without it");
     add_if(FragilityFlag::median_outside_data, "the median is outside the levels (extrapolated)");
     add_if(FragilityFlag::hclpf_outside_data, "HCLPF is below the levels (extrapolated)");
     if (fit.state != FragilityState::undecided) {
