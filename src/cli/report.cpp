@@ -240,7 +240,8 @@ int write_report(ReportOptions const& options) {
                                     .analysis = analysis,
                                     .confidence = confidence,
                                     .frequencies = frequencies,
-                                    .beta_u_of_campaign = !options.beta_u};
+                                    .beta_u_of_campaign = !options.beta_u,
+                                    .numerical = numerical_error_of(checks)};
     data["answer"] = answer_of(answered);
     auto const records = output::record_sheet(spec, trials_of_few_waves(spec, file));
     data["records"] = {{"head", records.head}, {"rows", records.rows}};

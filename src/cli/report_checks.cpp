@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -28,12 +29,15 @@ CheckRecord read_record(std::string const& name) {
     return record;
 }
 
+std::string edited_text(CheckRecord const& record) {
+    return fmt::format("--record {} (not as this program writes it: edited?). Write it anew", record.name);
+}
+
 output::CheckRow row_of(CheckRecord const& record, std::string const& maker) {
     try {
         return output::check_row(record.kind, record.content, maker);
     } catch (Json::exception const&) {
-        throw InputError(
-            fmt::format("--record {} (not as this program writes it: edited?). Write it anew", record.name));
+        throw InputError(edited_text(record));
     }
 }
 
@@ -86,6 +90,23 @@ void add_checks(std::span<CheckRecord const> records, std::string const& path, s
         if (there && kind == RecordKind::sensitivity) {
             data["sensitivity"] = record->content;
         }
+    }
+}
+
+std::optional<output::NumericalError> numerical_error_of(std::span<CheckRecord const> records) {
+    auto const record = std::ranges::find(records, RecordKind::cost, &CheckRecord::kind);
+    if (record == records.end()) {
+        return std::nullopt;
+    }
+    try {
+        auto const& study = record->content.at("study").at(0);
+        return study.at("probability").is_null()
+                   ? std::nullopt
+                   : std::optional(output::NumericalError{.error = study.at("numerical").get<double>(),
+                                                          .is_bound = study.at("numerical_is_bound").get<bool>(),
+                                                          .trials = study.at("trials").get<std::int64_t>()});
+    } catch (Json::exception const&) {
+        throw InputError(edited_text(*record));
     }
 }
 

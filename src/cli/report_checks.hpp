@@ -1,12 +1,14 @@
 /// The checks that a report's page lists, by the records that verbs wrote of them.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
 #include "cli/json_values.hpp"
+#include "output/answer.hpp"
 #include "output/package_text.hpp"
 #include "store/results_file.hpp"
 
@@ -25,6 +27,9 @@ struct CheckRecord {
 /// \throws InputError where a record of verify is of another results file
 void add_checks(std::span<CheckRecord const> records, std::string const& path, store::ResultsReader const& file,
                 Json& data);
+
+/// The error of P that a record of `cost` found; none without one, or of a grid of waves. \pre add_checks took them
+[[nodiscard]] std::optional<output::NumericalError> numerical_error_of(std::span<CheckRecord const> records);
 
 /// Adds the table `hand_check` to what the page has of `overturn fit --json`; empty where no wave can be made.
 void add_hand_checks(CampaignSpec const& spec, Json& data);

@@ -2,17 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
 #include "campaign/assumptions.hpp"
 #include "campaign/typed_units.hpp"
 #include "campaign/validated_range.hpp"
+#include "core/outward.hpp"
 #include "core/text_width.hpp"
 #include "core/wrapped.hpp"
 #include "output/detail/answer_cells.hpp"
 #include "output/detail/answer_parts.hpp"
 #include "output/waves_text.hpp"
+#include "response/registry.hpp"
 #include "results/few_waves.hpp"
 
 namespace overturn::output {
@@ -54,6 +57,7 @@ class SheetMaker {
             sheet_.head.push_back(heading(of_.spec.levels, l));
         }
         add_rows();
+        add_numerical_error();
         sheet_.dependence = dependence();
         return std::move(sheet_);
     }
@@ -200,10 +204,40 @@ class SheetMaker {
                 percentiles("peak_rotation_ratio", drawn ? 1 : pi / 180 / alpha, 0.01));
     }
 
+    void add_numerical_error() {
+        if (auto const& found = of_.numerical; found && !sheet_.rows.empty()) {
+            sheet_.rows.push_back(
+                {"all bodies", "numerical error of P",
+                 fmt::format("{}{:.2g}, mean over levels (overturn cost, {} trials)", found->is_bound ? "at most " : "",
+                             rounded_up(found->error, 2), found->trials)});
+        }
+    }
+
+    // Trials on points or a rim are chaotic: two steps of integration part after some impacts.
+    [[nodiscard]] std::string step_text() const {
+        std::int64_t chaotic = 0;
+        std::int64_t all = 0;
+        for (auto const& body : of_.statistics.bodies()) {
+            for (auto const& model : models()) {
+                auto const trials = body.models[model_place(model.traits().number)];
+                chaotic += has(model.traits().always, Effect::contact) ? trials : 0;
+            }
+            all = std::accumulate(body.models.begin(), body.models.end(), all);
+        }
+        return chaotic == 0 || of_.numerical
+                   ? std::string()
+                   : fmt::format(
+                       " {} of {} trials were computed on points or a rim: there a smaller time step can "
+                       "change which bodies fall. overturn cost CAMPAIGN.toml measures how much this "
+                       "changes P.",
+                       chaotic, all);
+    }
+
     // What the numbers rest on.
     [[nodiscard]] std::string dependence() const {
         auto text = fmt::format("Waves: {}. {}.", of_.spec.source->about().variability,
                                 text_of(tally_of(physical_inputs(of_.spec))));
+        text += step_text();
         auto const outside = outside_validated_range(of_.spec);
         if (!outside.empty()) {
             text += fmt::format(" Outside the range of the shaking-table tests: {}{}.", outside.front(),

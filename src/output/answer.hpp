@@ -1,6 +1,7 @@
 /// The answer that a campaign is run for: how each body does at the design basis and beyond.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,13 @@ namespace overturn::output {
 /// rising.
 [[nodiscard]] std::vector<std::size_t> answer_levels(LevelSpec const& levels);
 
+/// Error of P(overturn) by the accuracy of the settings, mean over bodies and levels, as `cost` found it.
+struct NumericalError {
+    double error = 0;
+    bool is_bound = false;    ///< no verdict changed: it is not above this
+    std::int64_t trials = 0;  ///< that it compared
+};
+
 /// Input of the answer; all outlive it.
 struct Answered {
     CampaignSpec const& spec;
@@ -26,6 +34,7 @@ struct Answered {
     double confidence = 0.95;
     std::span<BodyFrequency const> frequencies = {};  ///< where there is a hazard curve
     bool beta_u_of_campaign = true;                   ///< else of an option
+    std::optional<NumericalError> numerical = {};     ///< where a record of `cost` was given
 };
 
 /// The answer as people read it: rows of P of overturning and of every limit state with its interval, median and 95th

@@ -191,6 +191,10 @@ TEST_F(CalculationPackage, StudiesOfCostAreListed) {
     EXPECT_NE(data.at("checks")[4].at("result").get<std::string>().find("base_width = "), std::string::npos)
         << data.at("checks")[4];
     EXPECT_EQ(data.at("sensitivity"), json::parse(folder->read("moved.json")));
+    // Its numerical error stands below P in the answer.
+    auto const last = data.at("answer").at("rows").back();
+    EXPECT_EQ(last.at(1), "numerical error of P");
+    EXPECT_TRUE(last.at(2).get<std::string>().ends_with(", mean over levels (overturn cost, 4 trials)")) << last;
 }
 
 // Beside the worst trials of all: what came farthest at the design basis, by the rows of the file.

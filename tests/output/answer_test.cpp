@@ -2,6 +2,7 @@
 #include "output/answer.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <span>
 #include <sstream>
 #include <string>
@@ -34,7 +35,8 @@ struct Made {
     Statistics statistics;
     std::vector<BodyAnalysis> analysis;
 
-    Made(std::string const& bodies, std::string const& more, std::vector<int> const& overturned)
+    // \param model of results files, that all trials were computed by
+    Made(std::string const& bodies, std::string const& more, std::vector<int> const& overturned, std::int64_t model = 1)
         : spec(testing::campaign_from(testing::quick_waves + bodies
                                       + testing::levels("values=['300 gal','600 gal','900 gal','1200 gal']\n" + more))),
           statistics(spec) {
@@ -49,6 +51,7 @@ struct Made {
                     trial.wave = wave;
                     trial.body = static_cast<std::int64_t>(b);
                     trial.level = static_cast<std::int64_t>(l);
+                    trial.model = model;
                     trial.amplitude = spec.levels.levels[l].value;
                     bool const fell = wave < overturned.at(l);
                     trial.verdict = fell ? Verdict::overturned : Verdict::slid;
@@ -148,6 +151,36 @@ TEST(Answer, HasARowForTheAnnualFrequency) {
     EXPECT_EQ(merged.find("annual frequency "), std::string::npos) << merged;
     EXPECT_NE(merged.find("; 1.23e-05 to 0.000457 a year\n"), std::string::npos) << merged;
     EXPECT_NE(merged.find("slip [mm]"), std::string::npos) << merged;
+}
+
+// trials on points and rims are chaotic: the answer says so and names the command that measures it, or has what
+// it found, rounded up.
+TEST(Answer, StatesWhatTheTimeStepMayChange) {
+    auto const basis = "design_basis='600 gal'\n";
+    constexpr std::int64_t rocking = 2;
+    constexpr std::int64_t contact = 3;
+    constexpr std::int64_t spatial = 4;
+    std::string const found = "160 of 160 trials were computed on points or a rim";
+    auto const unwrapped = [](std::string text) {
+        std::ranges::replace(text, '\n', ' ');
+        return text;
+    };
+    for (auto const model : {contact, spatial}) {
+        auto const text = unwrapped(Made(body_named("cask"), basis, {0, 0, 5, 40}, model).text());
+        EXPECT_NE(text.find(found), std::string::npos) << text;
+        EXPECT_NE(text.find("overturn cost CAMPAIGN.toml"), std::string::npos) << text;
+    }
+    EXPECT_EQ(unwrapped(Made(body_named("cask"), basis, {0, 0, 5, 40}, rocking).text()).find("overturn cost"),
+              std::string::npos);
+
+    Made const made(body_named("cask"), basis, {0, 0, 5, 40}, spatial);
+    auto const text = unwrapped(output::answer_text({.spec = made.spec,
+                                                     .statistics = made.statistics,
+                                                     .analysis = made.analysis,
+                                                     .numerical = output::NumericalError{0.0701, false, 64}}));
+    EXPECT_NE(text.find("numerical error of P 0.071, mean over levels (overturn cost, 64 trials)"), std::string::npos)
+        << text;
+    EXPECT_EQ(text.find(found), std::string::npos) << text;
 }
 
 // the design basis and named levels first; else the ends and the middle.
