@@ -37,8 +37,7 @@ std::string shortened(std::string const& name, std::size_t most) {
 
 std::string count_text(std::int64_t waves) { return fmt::format("{} wave{}", waves, waves == 1 ? "" : "s"); }
 
-constexpr std::int64_t least_waves = 5;  // recorded motions, for a curve
-constexpr double least_slip_m = 1e-4;    // below it a slip is not printed as a number
+constexpr double least_slip_m = 1e-4;  // below it a slip is not printed as a number
 
 // What one body needs of rows. Merged: the annual frequency stands behind HCLPF.
 enum class Detail { all, merged, probabilities, overturning };
@@ -48,7 +47,11 @@ bool has_responses(Detail detail) { return detail == Detail::all || detail == De
 class SheetMaker {
   public:
     SheetMaker(Answered const& of, std::size_t most_rows, std::size_t parts)
-        : of_(of), most_rows_(most_rows), parts_(parts), levels_(answer_levels(of.spec.levels)) {}
+        : of_(of),
+          most_rows_(most_rows),
+          parts_(parts),
+          levels_(answer_levels(of.spec.levels)),
+          too_few_(!no_probability_text(of).empty()) {}
 
     [[nodiscard]] AnswerSheet sheet() {
         sheet_.title = title();
@@ -64,6 +67,9 @@ class SheetMaker {
 
   private:
     [[nodiscard]] std::string title() const {
+        if (too_few_) {
+            return no_probability_text(of_) + "; each record has its rows below";
+        }
         auto const waves = waves_text(of_.statistics.waves(), of_.spec.source->about().acceptance, of_.confidence);
         return fmt::format("{}; {:g} % intervals; slip and tilt: median / 95th percentile (<= its upper end)",
                            waves.empty() ? count_text(of_.statistics.waves().waves) : waves, 100 * of_.confidence);
@@ -140,9 +146,15 @@ class SheetMaker {
         auto const& counted = of_.statistics.bodies()[b];
         auto const limits = detail == Detail::overturning ? 1 : of_.spec.limits.size();
         for (std::size_t limit = 0; limit < limits; ++limit) {
-            auto const name = limit == 0 ? std::string("overturn") : said_name(of_.spec.limits[limit], of_.spec.limits);
-            add_row(limit == 0 ? body.body : "", "P(" + name + ")",
-                    [&](std::size_t l) { return probability_text(counted.stripes_of(limit)[l], of_.confidence); });
+            auto const said = said_name(of_.spec.limits[limit], of_.spec.limits);
+            add_row(limit == 0 ? body.body : "",
+                    too_few_     ? (limit == 0 ? "overturned" : said)
+                    : limit == 0 ? "P(overturn)"
+                                 : "P(" + said + ")",
+                    [&](std::size_t l) {
+                        auto const& stripe = counted.stripes_of(limit)[l];
+                        return too_few_ ? passed_text(stripe) : probability_text(stripe, of_.confidence);
+                    });
         }
         if (!has_responses(detail)) {
             return;
@@ -172,22 +184,21 @@ class SheetMaker {
         }
     }
 
-    [[nodiscard]] bool too_few_waves() const {
-        return are_few_records(of_.spec, of_.statistics.waves().waves) && of_.statistics.waves().waves < least_waves;
-    }
-
     // "4.6e-05 to 8.5e-05 a year"; empty without a hazard curve.
     [[nodiscard]] std::string frequency_text(std::string const& body, std::string const& limit,
                                              MeasuredFragility const& curve) const {
         auto const* const f = frequency_at(of_, body, limit);
-        return f == nullptr || too_few_waves() ? std::string() : frequency_words(*f, curve);
+        return f == nullptr ? std::string() : too_few_ ? needs_more() : frequency_words(*f, curve);
     }
 
     // "0.245 g (lower end 0.2 g)"
     [[nodiscard]] std::string capacity_text(MeasuredFragility const& curve, bool low_point) const {
-        return too_few_waves()
-                   ? fmt::format("needs {} motions or more ({} here)", least_waves, of_.statistics.waves().waves)
-                   : hclpf_text(curve, {low_point, of_.beta_u_of_campaign && is_beta_u_assumed(of_.spec)});
+        return too_few_ ? needs_more()
+                        : hclpf_text(curve, {low_point, of_.beta_u_of_campaign && is_beta_u_assumed(of_.spec)});
+    }
+
+    [[nodiscard]] std::string needs_more() const {
+        return fmt::format("needs {} records or more ({} here)", least_records, of_.statistics.waves().waves);
     }
 
     void add_responses(std::size_t b) {
@@ -249,6 +260,7 @@ class SheetMaker {
     Answered const& of_;
     std::size_t most_rows_, parts_;
     std::vector<std::size_t> levels_;
+    bool too_few_;  // records, for probabilities
     AnswerSheet sheet_;
 };
 
@@ -322,6 +334,13 @@ std::vector<std::size_t> answer_levels(LevelSpec const& levels) {
     add(first + (count - 1 - first) / 2, usual);
     std::ranges::sort(places);
     return places;
+}
+
+std::string no_probability_text(Answered const& of) {
+    auto const waves = of.statistics.waves().waves;
+    return are_too_few_records(of.spec, waves) ? fmt::format("{} record{}: no probability, which needs {} or more",
+                                                             waves, waves == 1 ? "" : "s", least_records)
+                                               : std::string();
 }
 
 AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows, std::size_t parts) {

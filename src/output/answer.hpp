@@ -57,6 +57,9 @@ struct AnswerSheet {
 /// The same in SI: a row for each body, limit state and level.
 [[nodiscard]] Table answer_table(Answered const& of);
 
+/// "1 record: no probability, which needs 5 or more": empty where there are enough, or waves are drawn.
+[[nodiscard]] std::string no_probability_text(Answered const& of);
+
 /// "< 0.0092 (0 of 400)", "0.11 [0.0838, 0.145]", "not known". Ends of the interval are rounded outwards.
 [[nodiscard]] std::string probability_text(Stripe const& stripe, double confidence);
 

@@ -4,6 +4,7 @@
 #include "output/answer.hpp"
 #include "output/detail/answer_parts.hpp"
 #include "output/detail/level_unit.hpp"
+#include "results/few_waves.hpp"
 
 namespace overturn::output {
 
@@ -36,10 +37,13 @@ Table answer_table(Answered const& of) {
     }
     TableOf<Row> table(
         {.name = "answer", .constants = {{"units", of.spec.levels.units()}, {"confidence", of.confidence}}}, rows);
-    auto const percentile = [](char const* quantity, bool median) {
+    auto const why_no_probability = text_or_none(no_probability_text(of));
+    bool const too_few = why_no_probability.has_value();
+    bool const few = are_few_records(of.spec, of.statistics.waves().waves);  // each is a row of `records`
+    auto const percentile = [few](char const* quantity, bool median) {
         return [=](Row const& row) -> std::optional<double> {
             auto const* const at = quantiles_at(*row.body, quantity, row.level);
-            if (at == nullptr || mostly_unknown(*at)) {
+            if (few || at == nullptr || mostly_unknown(*at)) {
                 return std::nullopt;
             }
             auto const value = (median ? at->quantiles.front() : at->quantiles.back()).value;
@@ -67,8 +71,13 @@ Table answer_table(Answered const& of) {
              [](Row const& row) { return row.stripe->overturned; })
         .add("undecided", "1", "of them without a verdict",
              [](Row const& row) { return row.stripe->trials - row.stripe->decided(); })
-        .add("probability", "1", "P of the limit state", [](Row const& row) { return row.stripe->probability(); })
-        .add("", "1", "its exact interval", [&](Row const& row) { return row.stripe->interval(of.confidence); })
+        .add("probability", "1", "P of the limit state; NaN: see no_probability",
+             [&](Row const& row) { return too_few ? std::nullopt : std::optional(row.stripe->probability()); })
+        .add(
+            "", "1", "its exact interval",
+            [&](Row const& row) { return too_few ? std::nullopt : std::optional(row.stripe->interval(of.confidence)); })
+        .add("no_probability", "1", "why there is none: few recorded motions",
+             [&](Row const&) { return why_no_probability; })
         .add("peak_slip_median", slip, "median of the peak slip; infinite: overturned", percentile("peak_slip", true))
         .add("peak_slip_p95", slip, "95th percentile of it", percentile("peak_slip", false))
         .add("peak_rotation_ratio_median", "1", "median of the peak tilt over alpha; infinite: overturned",
@@ -77,10 +86,10 @@ Table answer_table(Answered const& of) {
         .add("peak_rotation_median", tilt, "the same as an angle; NaN: alpha is drawn", rotation(true))
         .add("peak_rotation_p95", tilt, "95th percentile of it", rotation(false))
         .add("hclpf", level_unit(of.spec.levels), "HCLPF of the limit state; NaN: not known",
-             [](Row const& row) { return row.fit->hclpf(); })
+             [=](Row const& row) { return too_few ? std::nullopt : row.fit->hclpf(); })
         .add("annual_frequency", "1/a", "times a year, where a hazard curve is given",
-             [](Row const& row) -> std::optional<Interval> {
-                 if (row.frequency == nullptr) {
+             [=](Row const& row) -> std::optional<Interval> {
+                 if (row.frequency == nullptr || too_few) {
                      return std::nullopt;
                  }
                  auto ends = row.frequency->mean ? row.frequency->interval : row.frequency->seen;

@@ -34,6 +34,10 @@ std::string basis_text(Answered const& of, std::size_t body, std::size_t limit) 
     }
     auto const& stripe =
         of.statistics.bodies()[body].stripes_of(limit)[static_cast<std::size_t>(basis - levels.begin())];
+    if (!no_probability_text(of).empty()) {
+        return fmt::format("at the design basis ({}) {} of {} {}", of.spec.levels.text(basis->value), stripe.overturned,
+                           stripe.trials, limit == 0 ? "overturned it" : "exceeded it");
+    }
     auto const ends = stripe.interval(of.confidence);
     return fmt::format("at the design basis ({}) {} of {} trials {}, P between {:.2g} and {:.2g}",
                        of.spec.levels.text(basis->value), stripe.overturned, stripe.trials,
@@ -109,9 +113,14 @@ std::string grid_headline(BodyAnalysis const& body) {
 std::string headline(Answered const& of, std::size_t b, std::size_t limit) {
     auto const& body = of.analysis[b];
     auto const& stated = of.spec.limits[limit];
+    bool const too_few = !no_probability_text(of).empty();
     std::vector<std::string> parts;
-    for (auto const& part : {basis_text(of, b, limit), curve_words(body.curves_of(limit).front(), of.confidence),
-                             frequency_line(of, body.body, stated.name, body.curves_of(limit).front().fit)}) {
+    if (too_few) {
+        parts.push_back(no_probability_text(of));
+    }
+    for (auto const& part :
+         {basis_text(of, b, limit), too_few ? "" : curve_words(body.curves_of(limit).front(), of.confidence),
+          too_few ? "" : frequency_line(of, body.body, stated.name, body.curves_of(limit).front().fit)}) {
         if (!part.empty()) {
             parts.push_back(part);
         }

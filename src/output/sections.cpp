@@ -53,7 +53,8 @@ std::vector<std::string> notes_of(Answered const& of) {
 
 std::string notes_text(Printed const& printed, bool all) {
     constexpr std::size_t most = 5;
-    auto const notes = notes_of(printed.answered);
+    bool const no_curves = !no_probability_text(printed.answered).empty();
+    auto const notes = no_curves ? std::vector<std::string>() : notes_of(printed.answered);
     std::string text;
     for (std::size_t n = 0; n < notes.size() && (all || n < most); ++n) {
         text += wrapped("note: " + notes[n], 6);
@@ -111,7 +112,8 @@ constexpr std::array sections{
             [](Printed const& p) { return !p.pairs.empty(); }, together},
     Section{"hand", always, never_unasked,
             [](Printed const& p, TextOptions const&) { return hand_check_text(p.answered.spec, p.by_hand); }},
-    Section{"frequency", [](Printed const& p) { return p.hazard != nullptr; }, always,
+    Section{"frequency", [](Printed const& p) { return p.hazard != nullptr; },
+            [](Printed const& p) { return no_probability_text(p.answered).empty(); },
             [](Printed const& p, TextOptions const&) {
                 return frequency_text(p.answered.frequencies, *p.hazard, p.answered.confidence);
             }},

@@ -12,6 +12,10 @@ bool are_few_records(CampaignSpec const& spec, std::int64_t waves) {
     return waves <= most && !spec.source->name(0).empty();
 }
 
+bool are_too_few_records(CampaignSpec const& spec, std::int64_t waves) {
+    return waves < least_records && are_few_records(spec, waves);
+}
+
 std::vector<TrialRow> trials_of_few_waves(CampaignSpec const& spec, store::ResultsReader const& file) {
     if (!are_few_records(spec, plan_in(file, spec).waves())) {
         return {};

@@ -1,6 +1,7 @@
 /// Recorded motions that are too few for percentiles: what became of each.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
@@ -11,6 +12,11 @@ namespace overturn {
 
 /// Are these recorded motions, and so few that each is shown by itself? Of more, percentiles say enough.
 [[nodiscard]] bool are_few_records(CampaignSpec const& spec, std::int64_t waves);
+
+/// Recorded motions from which a probability is stated.
+inline constexpr std::int64_t least_records = 5;
+/// Are these recorded motions, and too few for a probability, a curve and all that follows from one?
+[[nodiscard]] bool are_too_few_records(CampaignSpec const& spec, std::int64_t waves);
 
 /// All trials of a campaign of few recorded motions, in the order of /trials; none of any other.
 [[nodiscard]] std::vector<TrialRow> trials_of_few_waves(CampaignSpec const& spec, store::ResultsReader const& file);

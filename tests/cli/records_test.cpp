@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "core/units.hpp"
@@ -161,13 +162,52 @@ TEST_F(RecordsOnTheLine, OfFewEachIsARow) {
         EXPECT_NE(run.out.find(said, at), std::string::npos) << run.out;
     }
     EXPECT_NE(run.out.find("rests.csv", at), std::string::npos) << run.out;
-    EXPECT_NE(run.out.find("HCLPF       needs 5 motions or more (1 here)\n"), std::string::npos) << run.out;
-
-    auto const rows = nlohmann::json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out).at("records");
+    auto const fit = nlohmann::json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
+    auto const& rows = fit.at("records");
     ASSERT_EQ(rows.size(), ratios.size());
     EXPECT_EQ(rows[0].at("record"), "rests.csv");
     EXPECT_EQ(rows[0].at("peak_rotation_rad"), file.reals("trials/peak_rotation")[0]);
     EXPECT_TRUE(rows[0].at("peak_slip_m").is_null()) << "without friction nothing slips";
+}
+
+// fewer than five records give counts and no probability: in the text, in JSON (null, with the reason) and in
+// the headlines of the page. Five give one.
+TEST_F(RecordsOnTheLine, OfFewerThanFiveThereIsNoProbability) {
+    folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'1 g', '3 g'"));
+    auto const run = overturn(folder, {"run", "c.toml"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    auto const answer = run.out.substr(0, run.out.find("\n== "));
+    EXPECT_NE(answer.find("1 record: no probability, which needs 5 or more"), std::string::npos) << answer;
+    EXPECT_NE(answer.find(" overturned "), std::string::npos) << answer;
+    EXPECT_NE(answer.find(" of 1 "), std::string::npos) << answer;
+    EXPECT_NE(answer.find("HCLPF      needs 5 records or more (1 here)\n"), std::string::npos) << answer;
+    for (auto const* const none : {"P(", "P <=", "0.975", "95 %"}) {
+        EXPECT_EQ(answer.find(none), std::string::npos) << none << " in\n" << answer;
+    }
+    auto const rows = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out).at("answer");
+    ASSERT_EQ(rows.size(), 2U);
+    for (auto const& row : rows) {
+        for (auto const* const name : {"probability", "lower", "upper", "hclpf", "peak_rotation_ratio_p95"}) {
+            EXPECT_TRUE(row.at(name).is_null()) << row;
+        }
+        EXPECT_EQ(row.at("no_probability"), "1 record: no probability, which needs 5 or more");
+        EXPECT_EQ(row.at("trials"), 1);
+    }
+
+    std::string files;
+    for (int i = 0; i < 5; ++i) {
+        folder.write(fmt::format("r{}.csv", i), record(0.2 * i));
+        files += fmt::format("{}'r{}.csv'", i == 0 ? "" : ",", i);
+    }
+    folder.write("five.toml", campaign("files=[" + files + "]\n", "pga", "'1 g', '3 g'"));
+    auto const five = overturn(folder, {"run", "five.toml"});
+    EXPECT_NE(five.out.find(" P(overturn) "), std::string::npos) << five.out << five.err;
+    EXPECT_EQ(five.out.find("no probability"), std::string::npos) << five.out;
+    EXPECT_TRUE(json::parse(overturn(folder, {"fit", "five.h5", "--json"}).out)
+                    .at("answer")
+                    .at(0)
+                    .at("no_probability")
+                    .is_null());
 }
 
 // how far a site's limit is away is a length, not a ratio.

@@ -33,6 +33,12 @@ std::string curve_state(FragilityFit const& fit) {
 
 }  // namespace
 
+std::string passed_text(Stripe const& stripe) {
+    auto const undecided = stripe.trials - stripe.decided();
+    return fmt::format("{} of {}{}", stripe.overturned, stripe.trials,
+                       undecided > 0 ? fmt::format(" ({} undecided)", undecided) : std::string());
+}
+
 std::string percentiles_text(LevelQuantiles const* at, double unit, double least) {
     if (at == nullptr) {
         return "not simulated";

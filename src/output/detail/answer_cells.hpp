@@ -7,6 +7,9 @@
 
 namespace overturn::output {
 
+/// "0 of 1", where no probability follows.
+[[nodiscard]] std::string passed_text(Stripe const& stripe);
+
 /// "12.0 / 55.1 (<= 71.3)": median and 95th percentile, and the upper end of that one's interval; "<0.1" where all of
 /// it is below `least`. \param at null: not simulated \param unit of the response, in that of `at`
 [[nodiscard]] std::string percentiles_text(LevelQuantiles const* at, double unit, double least);
