@@ -75,7 +75,7 @@ std::string SpectrumCompatible::summary(Median median) const {
                             100 * reached->max_misfit, reached->max_misfit_period_s);
     }
     for (auto const& part : std::span(parts_).subspan(1)) {
-        text += fmt::format(", {} target {}, {:.3g} of the horizontal one at {} s", part.kind.name,
+        text += fmt::format(", {} target {} ({:.3g} times the horizontal one at {} s)", part.kind.name,
                             part.input.target.name(), part.of_horizontal, compared_at_s);
         text += part.correlation ? fmt::format(", correlation {:g}", *part.correlation) : "";
     }

@@ -60,7 +60,8 @@ std::vector<std::string> outside_validated_range(CampaignSpec const& spec) {
     }
     std::vector<std::string> lines;
     for (auto const& [text, names] : texts.entries()) {
-        lines.push_back(fmt::format("{}: {}", names_text(names), text));
+        bool const all = names.size() > 1 && names.size() == spec.bodies.size();
+        lines.push_back(fmt::format("{}: {}", all ? "all bodies" : names_text(names), text));
     }
     return lines;
 }

@@ -102,9 +102,14 @@ Json assumptions_json(CampaignSpec const& spec) {
 }
 
 std::string assumptions_lines(CampaignSpec const& spec, bool full) {
-    constexpr std::size_t most_keys = 4;
+    constexpr std::size_t most_keys = 2;
     auto const inputs = in_order_of_doubt(spec);
-    auto text = labelled("inputs", text_of(tally_of(inputs)));
+    auto const tally = tally_of(inputs);
+    auto text = labelled("inputs", full ? text_of(tally)
+                                        : fmt::format("{}: {} assumed, {} published, {} measured, {} without a "
+                                                      "source, {} defaults (list: --full)",
+                                                      tally.all(), tally.assumed, tally.published, tally.measured,
+                                                      tally.not_stated, tally.by_default));
     std::vector<std::string> unstated, assumed;
     for (auto const& input : inputs) {
         if (input.basis == Basis::not_stated) {
@@ -119,9 +124,9 @@ std::string assumptions_lines(CampaignSpec const& spec, bool full) {
     if (!full && !assumed.empty()) {
         text += labelled("assumed", names_text(assumed, most_keys) + " (values and reasons: --full)");
     }
-    if (!unstated.empty()) {
-        text += labelled("no source", names_text(unstated, full ? unstated.size() : most_keys)
-                                          + R"(: state basis = "published", "measured" or "assumed")");
+    if (full && !unstated.empty()) {
+        text += labelled("no source", fmt::format("{}: state basis = \"published\", \"measured\" or \"assumed\"",
+                                                  fmt::join(unstated, ", ")));
     }
     std::vector<std::string> unsafe;
     std::size_t bearing = 0;
@@ -135,9 +140,11 @@ std::string assumptions_lines(CampaignSpec const& spec, bool full) {
         }
     }
     return text
-           + labelled("model",
-                      fmt::format("{} assumptions (overturn list assumptions); unsafe where they do not hold: {}",
-                                  bearing, fmt::join(unsafe, ", ")));
+           + labelled(
+               "model",
+               fmt::format("{} assumptions, {} unsafe (if false, more bodies overturn){}: overturn list "
+                           "assumptions",
+                           bearing, unsafe.size(), full ? fmt::format(" {}", fmt::join(unsafe, ", ")) : std::string()));
 }
 
 }  // namespace overturn::cli

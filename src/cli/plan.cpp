@@ -188,7 +188,7 @@ void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan cons
     if (hazard) {
         print_entry("hazard", fmt::format("{}: {}", input.hazard_file(), output::range_text(*hazard)));
     }
-    print_entry("validity", validated_range_text(spec, options.full ? spec.bodies.size() : most_outside));
+    print_entry("tested", validated_range_text(spec, options.full ? spec.bodies.size() : most_outside));
     fmt::print("{}", assumptions_lines(spec, options.full));
     for (auto const& line : warnings_of(spec)) {
         print_entry("warning", line);
@@ -199,9 +199,11 @@ void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan cons
 // \return what it found
 ProbedCost print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
     auto cost = probe(spec, plan);
-    print_entry("per wave", fmt::format("{:.1f} ms: generation {:.1f}, intensity measures {:.1f}, {} trials {:.1f}",
-                                        1e3 * cost.wave_s(), 1e3 * cost.generation_s, 1e3 * cost.measures_s,
-                                        plan.trials_per_wave(), 1e3 * cost.trials_s));
+    if (full) {
+        print_entry("per wave", fmt::format("{:.1f} ms: generation {:.1f}, intensity measures {:.1f}, {} trials {:.1f}",
+                                            1e3 * cost.wave_s(), 1e3 * cost.generation_s, 1e3 * cost.measures_s,
+                                            plan.trials_per_wave(), 1e3 * cost.trials_s));
+    }
     if (auto const text = output::waves_text(cost.waves, spec.source->about().acceptance, spec.confidence);
         !text.empty()) {
         print_entry("accepted", text);
@@ -238,13 +240,16 @@ int plan_campaign(PlanOptions const& options) {
                                         spec.rare->max_runs));
     }
     auto const cores = std::max(1U, std::thread::hardware_concurrency());
-    print_entry("time", fmt::format("about {} on one rank, {} on the {} cores here", duration_text(start_s + all),
-                                    duration_text(start_s + all / cores), cores));
+    print_entry("time", fmt::format("about {} on the {} cores here, {} on one; results file: about {:.2f} MB",
+                                    duration_text(start_s + all / cores), cores, duration_text(start_s + all),
+                                    1e-6 * static_cast<double>(file_bytes(input, spec, plan.without_refusals()))));
     if (options.ranks) {
         print_entry("ranks", ranks_text(estimate_ranks(plan.without_refusals(), cost.counted_wave_s(), start_s,
                                                        *options.ranks)));
     }
-    fmt::print("{}", size_lines(input, spec, plan.without_refusals(), options.full));
+    if (options.full) {
+        fmt::print("{}", scratch_line(plan.without_refusals()));
+    }
     return done;
 }
 

@@ -37,8 +37,8 @@ std::string base_text(BasePlan const& base, IntensityUnit const& length) {
 std::string footing_text(BodySpec const& body, TypedUnits const& units) {
     auto const& base = body.footing.base;
     auto const& pad = body.footing.pad;
-    auto text = fmt::format("{}, {:g} Hz, {}", base_text(base, units.length), pad.vertical_frequency_hz,
-                            pad.strength_pa ? units.pressure.text(*pad.strength_pa) : "elastic");
+    auto text = fmt::format("{}; pad {:g} Hz, {}", base_text(base, units.length), pad.vertical_frequency_hz,
+                            pad.strength_pa ? "strength " + units.pressure.text(*pad.strength_pa) : "elastic");
     if (base.shape == BaseShape::polygon) {
         return text;
     }
@@ -46,7 +46,7 @@ std::string footing_text(BodySpec const& body, TypedUnits const& units) {
     constexpr double close = 1e-3;
     return text
            + fmt::format("; rocks with restitution {:.4f}{}", match.restitution,
-                         !pad.match_restitution ? " (follows from the base, not from e)"
+                         !pad.match_restitution ? " (from base and pad; e is not used)"
                          : std::abs(match.restitution - body.body.restitution()) > close
                              ? fmt::format(", the nearest to {:.4f} that this base can have", body.body.restitution())
                              : "");
@@ -55,7 +55,7 @@ std::string footing_text(BodySpec const& body, TypedUnits const& units) {
 // Does it slide or rock first? Friction against the slope at which it tips: on points the kinetic one.
 std::string friction_text(BodySpec const& body) {
     if (!body.friction) {
-        return "no slip";
+        return "no friction stated: it does not slide";
     }
     bool const on_points = body.footing.stated;
     double const held = body.friction->static_coefficient;
@@ -76,7 +76,7 @@ std::string friction_text(BodySpec const& body) {
     bool const bears_further_in = base.is_bed() || base.shape == BaseShape::round;
     if (mu < slope) {
         return compared
-               + (bears_further_in ? ": slides first; on its bed or rim it may rock"
+               + (bears_further_in ? ": slides first, and may rock too"
                                    : ": slides before it rocks, not expected to overturn");
     }
     constexpr double near = 1.15;  // up to here slip changes peak rotations by orders of magnitude
@@ -156,7 +156,9 @@ std::string bodies_text(CampaignSpec const& spec, output::ShownVelocity const& u
             break;
         }
         bool const all = names.size() == bodies.size();
-        text += wrapped(all ? saying : fmt::format("{}: {}", names_text(names, 2), saying), 4, line_width, "  ");
+        text += wrapped(all ? (names.size() > 1 ? "all bodies: " : "") + saying
+                            : fmt::format("{}: {}", names_text(names, 2), saying),
+                        4, line_width, "  ");
     }
     return text;
 }

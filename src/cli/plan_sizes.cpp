@@ -1,7 +1,5 @@
 #include "cli/plan_sizes.hpp"
 
-#include <cstdint>
-
 #include <fmt/format.h>
 
 #include "campaign/block_rows.hpp"
@@ -13,28 +11,6 @@
 
 namespace overturn::cli {
 namespace {
-
-std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
-    auto const width = [](store::TableSpec const& table) {
-        std::int64_t bytes = table.numbers_rows() ? 8 : 0;
-        for (auto const& column : table.columns) {
-            bytes += column.type == FieldType::category ? 1 : 8;
-        }
-        return bytes;
-    };
-    constexpr std::int64_t overhead = 400'000;  // groups, attributes and statistics of a small campaign
-    auto bytes = overhead + plan.trials() * width(trial_table(spec)) + plan.waves() * width(wave_table(spec));
-    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        bytes += plan.waves() * width(measure_table(spec, b));
-    }
-    for (auto const& table : extra_tables(ModelSelector(spec.effects, spec.accuracy))) {
-        bytes += plan.trials() * width(table);
-    }
-    for (auto const& [name, content] : input.files) {
-        bytes += std::ssize(content);
-    }
-    return bytes;
-}
 
 std::string count_of_folders(std::int64_t blocks) {
     auto const folders = (blocks + store::blocks_in_a_folder - 1) / store::blocks_in_a_folder;
@@ -60,17 +36,35 @@ std::string thinned_line(Plan const& plan) {
 
 }  // namespace
 
-std::string size_lines(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan, bool full) {
+std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
+    auto const width = [](store::TableSpec const& table) {
+        std::int64_t bytes = table.numbers_rows() ? 8 : 0;
+        for (auto const& column : table.columns) {
+            bytes += column.type == FieldType::category ? 1 : 8;
+        }
+        return bytes;
+    };
+    constexpr std::int64_t overhead = 400'000;  // groups, attributes and statistics of a small campaign
+    auto bytes = overhead + plan.trials() * width(trial_table(spec)) + plan.waves() * width(wave_table(spec));
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        bytes += plan.waves() * width(measure_table(spec, b));
+    }
+    for (auto const& table : extra_tables(ModelSelector(spec.effects, spec.accuracy))) {
+        bytes += plan.trials() * width(table);
+    }
+    for (auto const& [name, content] : input.files) {
+        bytes += std::ssize(content);
+    }
+    return bytes;
+}
+
+std::string scratch_line(Plan const& plan) {
     auto const bytes = static_cast<double>(BlockRows::packed_size(plan, 0));
-    auto const text =
-        fmt::format("file      about {:.2f} MB\n", static_cast<double>(file_bytes(input, spec, plan)) / 1e6);
-    return !full ? text
-                 : text
-                       + fmt::format(
-                           "scratch   {} block files of {} waves, {:.1f} kB each, {:.2f} MB in {}, deleted "
-                           "after merging\n",
-                           plan.blocks(), plan.block_size(), bytes / 1e3,
-                           bytes * static_cast<double>(plan.blocks()) / 1e6, count_of_folders(plan.blocks()));
+    return labelled("scratch",
+                    fmt::format("{} block files of {} waves, {:.1f} kB each, {:.2f} MB in {}, deleted "
+                                "after merging",
+                                plan.blocks(), plan.block_size(), bytes / 1e3,
+                                bytes * static_cast<double>(plan.blocks()) / 1e6, count_of_folders(plan.blocks())));
 }
 
 std::string memory_lines(CampaignSpec const& spec, Plan const& plan) {

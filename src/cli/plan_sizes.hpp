@@ -1,6 +1,7 @@
 /// Forecast of `plan`: disk and memory that a campaign needs.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "campaign/campaign_input.hpp"
@@ -10,8 +11,11 @@
 
 namespace overturn::cli {
 
-/// The results file. \param full also the files of blocks until they are merged
-[[nodiscard]] std::string size_lines(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan, bool full);
+/// Size of the results file [bytes].
+[[nodiscard]] std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan);
+
+/// The files of blocks until they are merged.
+[[nodiscard]] std::string scratch_line(Plan const& plan);
 
 /// Memory of the trials that curves and intervals need, where it is much, and how many they see where that is not all;
 /// else empty.

@@ -86,8 +86,8 @@ TextGroup chances_of(CampaignSpec const& spec, BodyStatistics const& s) {
         }
     }
     if (spec.measures.energy) {
-        TextColumn safe{"V_WES:\nsafe"};
-        TextColumn false_safe{"false\nsafe"};
+        TextColumn safe{"safe by\nV_WES"};
+        TextColumn false_safe{"but\nfell"};
         for (auto const l : levels) {
             safe.cells.push_back(std::to_string(s.v_wes[l].true_safe + s.v_wes[l].false_safe));
             false_safe.cells.push_back(std::to_string(s.v_wes[l].false_safe));
@@ -103,16 +103,22 @@ double restitution_of(BodySpec const& body) {
     return body.footing.matched ? body.footing.matched->restitution : body.body.restitution();
 }
 
+std::string friction_of(BodySpec const& body) {
+    if (!body.friction) {
+        return "no friction stated";
+    }
+    auto const [at_rest, sliding] = *body.friction;
+    return at_rest == sliding ? fmt::format("friction {:g}", at_rest)
+                              : fmt::format("friction {:g} at rest and {:g} in motion", at_rest, sliding);
+}
+
 void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s,
                  std::optional<IntensityUnit> const& velocities) {
     double const limit = body.body.limit_velocity_mps();
-    text += fmt::format(
-        "\n{}: alpha {:.1f} deg, R {}, e {:.3f}, {}V_Ereq {}\n", body.name, body.body.alpha_rad() * 180 / pi,
-        typed_units(spec).length.text(body.body.radius_m()), restitution_of(body),
-        body.friction
-            ? fmt::format("friction {:g}/{:g}, ", body.friction->static_coefficient, body.friction->kinetic_coefficient)
-            : std::string("no slip, "),
-        velocities.value_or(typed_units(spec).velocity).text(limit));
+    text += fmt::format("\n{}: alpha {:.1f} deg, R {}, restitution {:.3f}, {}, V_Ereq {}\n", body.name,
+                        body.body.alpha_rad() * 180 / pi, typed_units(spec).length.text(body.body.radius_m()),
+                        restitution_of(body), friction_of(body),
+                        velocities.value_or(typed_units(spec).velocity).text(limit));
     text += columns_text({ends_of(spec, s), chances_of(spec, s)});
     text += left_out_levels(spec.levels);
     text += "models:";

@@ -1,6 +1,7 @@
 // Requirement R-918: whatever is answered, the campaign that `new` writes is one that `plan` takes as it stands:
 // answers as they were typed, all else said to be assumed and why; what cannot be is refused, and no file is written
 // over unasked.
+#include <algorithm>
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -10,6 +11,7 @@
 
 #include "cli/python.hpp"
 #include "support/command.hpp"
+#include "support/line_width.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -77,6 +79,18 @@ class New : public ::testing::Test {
     Folder folder;
     Arguments const cask{"--mass", "258 kip", "--centre-height", "8.5 ft", "--base-width", "134 in"};
 };
+
+// of a campaign that `new` wrote, also of one with two bodies and all components, the plan fits a screen.
+TEST_F(New, PlanFitsAScreen) {
+    for (auto const& more : {Arguments{"--components", "3", "--base-shape", "round", "--gap", "80 cm"},
+                             Arguments{"--friction", "0.5", "--pad-strength", "30 MPa"}}) {
+        ASSERT_EQ(written(joined({"--spectrum", "mlit-ch1", "--design-basis", "600 gal", "--count", "2"}, more)).code,
+                  0);
+        auto const plan = overturn(folder, {"plan", "s.toml"}).out;
+        EXPECT_LE(std::ranges::count(plan, '\n'), 24) << plan;
+        EXPECT_EQ(too_wide(plan), "");
+    }
+}
 
 // over all of it that decides which keys are written.
 TEST_F(New, WhatItWritesIsPlanned) {

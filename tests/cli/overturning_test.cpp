@@ -4,6 +4,7 @@
 #include <sstream>
 #include <tuple>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "support/spectrum_verb.hpp"
@@ -98,7 +99,7 @@ TEST_F(Overturning, WhatItLeavesOutOfABodyIsReported) {
                  "seed=1\n[waves]\nsource='pulse'\nshape='one-sine'\nperiods=['1 s']\namplitude='1 m/s2'\n"
                  "time_step='0.01 s'\n[[bodies]]\nfile='round.toml'\n[levels]\nmeasure='pga'\nvalues=['1 g']\n");
     auto const plan = overturn(folder, {"plan", "c.toml"}).out;
-    EXPECT_NE(plan.find(fmt::format("rocks with restitution {:.4f} (follows", round["restitution"].get<double>())),
+    EXPECT_NE(plan.find(fmt::format("rocks with restitution {:.4f} (from", round["restitution"].get<double>())),
               std::string::npos)
         << plan << round["restitution"];
     EXPECT_NE(done(joined({"--body", "round.toml"}, asked)).out.find("not in these numbers: b: its friction 0.5"),

@@ -114,12 +114,13 @@ TEST_F(Page, StatesFrictionAndTheRestitutionOfABase) {
     run(quick_campaign(), {"--set", "bodies.1.base={shape=\"round\"}", "--set", "waves.count=3"});
     auto const lines = data_of({"report", "c.h5", "-o"}, "page.html").at("supports");
     ASSERT_EQ(lines.size(), 3U) << lines;
-    EXPECT_EQ(lines.at(0), "cask: no slip.");
+    EXPECT_EQ(lines.at(0), "cask: no friction stated: it does not slide.");
     EXPECT_TRUE(lines.at(1).get<std::string>().starts_with("block: friction 0.5 ")) << lines;
     auto const base = lines.at(2).get<std::string>();
-    EXPECT_TRUE(base.starts_with("block: round base on its continuous rim, 98 Hz, elastic; rocks with restitution 0."))
+    EXPECT_TRUE(
+        base.starts_with("block: round base on its continuous rim; pad 98 Hz, elastic; rocks with restitution 0."))
         << base;
-    EXPECT_TRUE(base.ends_with("(follows from the base, not from e).")) << base;
+    EXPECT_TRUE(base.ends_with("(from base and pad; e is not used).")) << base;
 }
 
 // A body of 12 m under a length ratio of 0.4 is drawn at 0.4 of its size.

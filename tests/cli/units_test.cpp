@@ -181,7 +181,8 @@ TEST_F(Units, EverythingIsReadInTheUnitsOfTheCampaign) {
             EXPECT_EQ(text.find(si), std::string::npos) << si << " in\n" << text;
         }
     };
-    expect_all(ran.out, {"slip [in]", "R 49.", " in, e", " kine\n", "peak_slip in of the trials", " slip in "});
+    expect_all(ran.out,
+               {"slip [in]", "R 49.", " in, restitution", " kine\n", "peak_slip in of the trials", " slip in "});
     auto const by_hand = overturn(folder, {"fit", "c.h5", "--section", "hand"}).out;
     EXPECT_TRUE(std::regex_search(by_hand, std::regex(";\\s+slides\\s+[0-9.]+\\s+in\\s+at"))) << by_hand;
     auto const pad = std::string("[[bodies]]\nname='crushed'\nmass='12.6 t'\nbase_width='1.36 m'\n")

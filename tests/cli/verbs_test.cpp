@@ -158,13 +158,16 @@ TEST_F(Verbs, PlanCountsAndEstimates) {
 
     EXPECT_NE(ended.out.find("\n40 waves x 2 bodies x 3 levels = 240 trials\n"), std::string::npos) << ended.out;
     EXPECT_NE(ended.out.find("design-basis"), std::string::npos);
-    for (auto const* heading : {"\nwaves ", "\nbodies ", "\nlevels ", "\nper wave ", "\ntime ", "\nfile "}) {
+    for (auto const* heading :
+         {"\nwaves ", "\nbodies ", "\nlevels ", "\ntested ", "\ninputs ", "\nmodel ", "\ntime "}) {
         EXPECT_NE(ended.out.find(heading), std::string::npos) << heading;
     }
     EXPECT_EQ(ended.out.find("\nscratch "), std::string::npos);
     auto const full = done({"plan", "c.toml", "--set", "waves.count=40", "--full"}).out;
     EXPECT_NE(full.find("\nscratch   40 block files of 1 waves"), std::string::npos) << full;
-    EXPECT_NE(full.find("\nmodels "), std::string::npos) << full;
+    for (auto const* heading : {"\nmodels ", "\nper wave "}) {
+        EXPECT_NE(full.find(heading), std::string::npos) << heading << full;
+    }
 }
 
 //

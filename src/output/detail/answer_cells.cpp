@@ -25,12 +25,6 @@ std::string number_text(double value, double least) {
                           : fmt::format("{:.2g}", rounded);
 }
 
-std::string curve_state(FragilityFit const& fit) {
-    auto text = name_of(fit.state, fit.passing);
-    std::ranges::replace(text, '-', ' ');
-    return text;
-}
-
 }  // namespace
 
 std::string passed_text(Stripe const& stripe) {
@@ -67,7 +61,7 @@ std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words) {
         return curve.shown_in.text(curve.shown_in.si * rounded_down(curve.shown_in.of(intensity)));
     };
     if (!fit.identifiable()) {
-        return fmt::format("no curve ({})", curve_state(fit));
+        return fmt::format("no curve ({})", state_words(fit.state, fit.passing));
     }
     if (!fit.hclpf()) {
         std::string const missing = "unknown: beta_U of the body is not stated";

@@ -20,8 +20,8 @@ std::string share_line(char const* what, Share const& share) {
 
 std::string criterion_text(MeasuredCriterion const& criterion) {
     auto const& s = criterion.study;
-    auto text = fmt::format("  criterion {} < v_ereq, R of T0 and T1 in {}\n", in_any_unit(criterion.measure)->name,
-                            name_of(criterion.radius_unit));
+    auto text = fmt::format("  criterion: safe where {} < V_Ereq (periods T0 and T1 computed with R in {})\n",
+                            in_any_unit(criterion.measure)->title, name_of(criterion.radius_unit));
     text += share_line("false safe", s.safe_but_overturned);
     text += share_line("  of trials that uplifted", s.safe_uplifted_but_overturned);
     text += share_line("  of waves with an uplifted trial", s.waves_safe_uplifted_but_overturned);

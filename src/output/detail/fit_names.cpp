@@ -1,5 +1,6 @@
 #include "output/detail/fit_names.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -62,6 +63,20 @@ std::string name_of(FragilityState state, Passing passing) {
             break;
     }
     return "not-converged";
+}
+
+std::string state_words(FragilityState state, Passing passing) {
+    switch (state) {
+        case FragilityState::separated:
+            return "levels too far apart";
+        case FragilityState::not_rising:
+            return "P does not rise with the level";
+        default:
+            break;
+    }
+    auto words = name_of(state, passing);
+    std::ranges::replace(words, '-', ' ');
+    return words;
 }
 
 std::vector<std::string> names_of(FragilityFlags flags, Passing passing) {

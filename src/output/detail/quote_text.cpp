@@ -97,7 +97,7 @@ std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
     }
     auto const p = q.probability ? fmt::format("{:.3g}", *q.probability)
                    : q.curve     ? std::string("between")
-                                 : std::string("not identifiable");
+                                 : std::string("no curve,");
     auto const bounds = q.source == Source::none ? std::string("no bound")
                                                  : fmt::format("{}{}", interval_text(q.bounds),
                                                                q.source != Source::curve ? exact_text(q, m.fit.alike)
