@@ -8,11 +8,6 @@
 #include "core/error.hpp"
 
 namespace overturn {
-namespace {
-
-__extension__ using Wide = unsigned __int128;
-
-}  // namespace
 
 gsl_rng_type const RandomStream::type = {
     "threefry4x64-20", std::numeric_limits<unsigned long>::max(), 0, sizeof(State), &refuse_seed, &next, &next_unit};
@@ -35,19 +30,6 @@ unsigned long RandomStream::next(void* state) {
 double RandomStream::next_unit(void* state) {
     constexpr double ulp = 0x1p-53;
     return static_cast<double>(next(state) >> 11U) * ulp;
-}
-
-// GSL takes bits / scale and throws away what reaches `count`. The product's upper half is that quotient or one less.
-void RandomStream::draw_below(std::uint64_t count, std::span<std::uint32_t> numbers) {
-    auto const scale = std::numeric_limits<std::uint64_t>::max() / count;
-    constexpr unsigned half = 64;
-    for (std::size_t drawn = 0; drawn < numbers.size();) {
-        std::uint64_t const bits = next(&state_);
-        auto quotient = static_cast<std::uint64_t>(static_cast<Wide>(bits) * count >> half);
-        quotient += bits - quotient * scale >= scale ? 1 : 0;
-        numbers[drawn] = static_cast<std::uint32_t>(quotient);
-        drawn += quotient < count ? 1 : 0;
-    }
 }
 
 void RandomStream::refuse_seed(void* /*state*/, unsigned long /*seed*/) {

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 
 #include <gsl/gsl_rng.h>
 
@@ -41,10 +40,6 @@ class RandomStream {
 
     /// The next 64 random bits.
     std::uint64_t bits() { return gsl_rng_get(&rng_); }
-
-    /// Whole numbers below `count`, as gsl_rng_uniform_int draws them one by one from gsl(), but many at a time.
-    /// \pre 0 < count < 2^32
-    void draw_below(std::uint64_t count, std::span<std::uint32_t> numbers);
 
     RandomStream(RandomStream const&) = delete;
     RandomStream& operator=(RandomStream const&) = delete;

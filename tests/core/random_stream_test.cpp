@@ -3,8 +3,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <span>
-#include <vector>
 
 #include <gsl/gsl_randist.h>
 #include <gsl/gsl_rng.h>
@@ -62,21 +60,6 @@ TEST(RandomStream, UniformStaysBelowOne) {
         double const u = gsl_rng_uniform(stream.gsl());
         ASSERT_GE(u, 0.0);
         ASSERT_LT(u, 1.0);
-    }
-}
-
-/// Many whole numbers at a time are those that GSL draws one by one, also where most bits are thrown away.
-TEST(RandomStream, DrawsWholeNumbersAsGslDoes) {
-    for (std::uint64_t const count : {1UL, 2UL, 3UL, 250UL, 99'991UL, (1UL << 31U) + 1, (1UL << 32U) - 1}) {
-        RandomStream one(5, count, Purpose::bootstrap, 1);
-        RandomStream other(5, count, Purpose::bootstrap, 1);
-        std::vector<std::uint32_t> numbers(3001);
-        one.draw_below(count, std::span(numbers).first(1000));
-        one.draw_below(count, std::span(numbers).subspan(1000));
-        for (auto const number : numbers) {
-            ASSERT_EQ(number, gsl_rng_uniform_int(other.gsl(), count));
-        }
-        EXPECT_EQ(one.bits(), other.bits()) << "the stream goes on behind them";
     }
 }
 

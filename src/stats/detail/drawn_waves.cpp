@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "stats/detail/drawn_numbers.hpp"
+
 namespace overturn {
 
 DrawnWaves::DrawnWaves(std::vector<std::uint32_t> group_of_wave, std::size_t groups)
@@ -10,11 +12,11 @@ DrawnWaves::DrawnWaves(std::vector<std::uint32_t> group_of_wave, std::size_t gro
 
 void DrawnWaves::draw(BootstrapKey const& key, Purpose purpose, std::int64_t first) {
     for (std::size_t k = 0; k < at_once; ++k) {
-        RandomStream stream(key.seed, static_cast<std::uint64_t>(first) + k, purpose, key.stream);
+        DrawnNumbers stream(key.seed, static_cast<std::uint64_t>(first) + k, purpose, key.stream, waves());
         std::ranges::fill(counts_, 0U);
         for (std::size_t left = waves(); left > 0;) {
             auto const numbers = std::span(numbers_).first(std::min(left, numbers_.size()));
-            stream.draw_below(waves(), numbers);
+            stream.draw(numbers);
             for (auto const wave : numbers) {
                 ++counts_[group_of_wave_[wave]];
             }
