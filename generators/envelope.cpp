@@ -21,17 +21,17 @@ double on_lines(std::span<std::pair<double, double> const> points, double time_s
 constexpr config::Keys envelope_keys{
     config::word_key<envelope_shapes>("shape", "envelope of the amplitude over time").otherwise("jennings"),
     config::number_key("rise", Dimension::time, config::Range::positive(), "end of the parabolic rise")
-        .otherwise_said("1/10 of the duration")
+        .otherwise_in_words("1/10 of the duration")
         .only("shape = jennings"),
     config::number_key("level_end", Dimension::time, config::Range::positive(), "end of the level part")
-        .otherwise_said("1/2 of the duration")
+        .otherwise_in_words("1/2 of the duration")
         .only("shape = jennings"),
     config::number_key("end", Dimension::time, config::Range::positive(),
                        "time at which the amplitude has decayed to 1/10")
-        .otherwise_said("9/10 of the duration")
+        .otherwise_in_words("9/10 of the duration")
         .only("shape = jennings"),
     config::number_key("peak", Dimension::time, config::Range::positive(), "time of the largest amplitude")
-        .otherwise_said("1/5 of the duration")
+        .otherwise_in_words("1/5 of the duration")
         .only("shape = saragoni-hart"),
     config::number_key("gamma", Dimension::none, {.low = 0, .high = 100, .low_open = true},
                        "exponent of the rise of the squared amplitude")

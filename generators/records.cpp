@@ -78,7 +78,7 @@ std::string read_folder(config::Table const& waves, InputFiles const& files) {
     return folder;
 }
 
-// All components alike: what they are to each other stays.
+// All components by one factor: what they are to each other stays.
 void scale(Record& record, double factor) {
     if (factor == 1) {
         return;

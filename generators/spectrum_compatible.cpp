@@ -30,7 +30,7 @@ constexpr config::Keys matched_target_keys{
     config::number_key("longest", Dimension::time, {.low = 0.2, .high = 20},
                        "longest period that is matched; waves have almost no energy beyond 1.5 times this period (with "
                        "seeds 3 times, if the duration allows)")
-        .otherwise_said("smallest of 10 s, the target's last period and the duration")};
+        .otherwise_in_words("smallest of 10 s, the target's last period and the duration")};
 constexpr config::KeyTable matched_target_table{
     .meaning = "the response spectrum that waves follow", .keys = matched_target_keys.all, .also = {&target_table}};
 constexpr config::Keys matched_component_keys{
@@ -42,7 +42,7 @@ constexpr config::KeyTable matched_component_table{.meaning = "further component
 constexpr config::Keys compatible_keys{
     config::table_key<matched_target_table>("target", "the response spectrum that waves follow"),
     config::number_key("duration", Dimension::time, config::Range::positive(), "length of every wave")
-        .otherwise_said("that of the longest seed; required without a seed"),
+        .otherwise_in_words("that of the longest seed; required without a seed"),
     config::number_key("time_step", Dimension::time, {.low = 1e-4, .high = 0.1}, "time step, without a seed")
         .otherwise(0.01),
     config::word_key<matches>("match", "method of matching waves to the target").otherwise("each"),
@@ -63,7 +63,7 @@ constexpr config::Keys compatible_keys{
         .otherwise("left-out")
         .only("there are acceptance and seed"),
     config::word_key<line_amplitudes>("amplitudes", "Fourier amplitudes: fixed or Gaussian")
-        .otherwise_said("fixed; of match = ensemble gaussian")
+        .otherwise_in_words("fixed; of match = ensemble gaussian")
         .only("there is no seed"),
     config::table_key<envelope_table>("envelope", "envelope of the amplitude over time")
         .optional()

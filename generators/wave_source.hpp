@@ -86,7 +86,7 @@ struct WaveDescription {
     /// Are all waves of one spectrum or density, matched to it or not, so that they differ by random phases alone?
     /// Their trials cannot show which measure of intensity is the better one among motions of several events and sites.
     bool of_one_spectrum = false;
-    std::int64_t waves_alike = 1;  ///< so many in a row may share what was drawn, and are no independent samples
+    std::int64_t waves_per_draw = 1;  ///< so many in a row may share what was drawn, and are no independent samples
     /// The periods at which its waves are compared with what its target states; nothing if there is none.
     std::optional<ComparedPeriods> compared_periods = {};
     std::optional<TargetPga> target_pga = {};  ///< of the horizontal target, where it is known
@@ -155,8 +155,9 @@ struct WaveSourceKind {
 
 /// Keys of [waves] that every source has.
 extern config::KeyTable const every_wave_table;
-inline constexpr config::Key wave_count_key = config::integer_key("count", 1, 1'000'000'000, "number of waves")
-                                                  .otherwise_said("all available waves; required for generated ones");
+inline constexpr config::Key wave_count_key =
+    config::integer_key("count", 1, 1'000'000'000, "number of waves")
+        .otherwise_in_words("all available waves; required for generated ones");
 /// Key `duration` of waves that are drawn.
 inline constexpr config::Key wave_duration_key =
     config::number_key("duration", Dimension::time, config::Range::positive(), "length of every wave");

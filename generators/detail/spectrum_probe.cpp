@@ -49,14 +49,14 @@ std::vector<double> SpectrumProbe::ratios(std::span<PeakDisplacement const> peak
 
 // A chosen period's own ratio; or, if it keeps the rule, that of the period left out beside it which breaks it most.
 double SpectrumProbe::governing_ratio(std::span<double const> ratios, std::size_t c, AcceptanceRule const& rule) const {
-    double const own = ratios[chosen_[c]];
+    double const chosen = ratios[chosen_[c]];
     auto const breach = [&](double ratio) {
         return std::max((rule.lowest_ratio - ratio) / rule.lowest_ratio, ratio / rule.highest_ratio - 1);
     };
-    if (!rule.enabled() || breach(own) > 0) {
-        return own;
+    if (!rule.enabled() || breach(chosen) > 0) {
+        return chosen;
     }
-    double answer = own;
+    double answer = chosen;
     double worst = 0;
     std::size_t const from = c > 0 ? chosen_[c - 1] + 1 : chosen_[c];
     std::size_t const to = c + 1 < chosen_.size() ? chosen_[c + 1] : chosen_[c] + 1;

@@ -9,7 +9,7 @@
 
 namespace overturn {
 
-/// How a part is held by what it stands on. A body is computed as one whatever is said here.
+/// How a part is held by what it stands on. A body is computed as one whatever is stated here.
 struct Standing {
     bool fastened = false;
     std::optional<double> friction = {};  ///< static coefficient there [-]; empty: nothing is known of it

@@ -157,7 +157,7 @@ BlockRows rows_of_chosen(BlockRows rows, Plan const& drawn, std::int64_t block, 
     auto const [first, count] = drawn.waves_of_block(block);
     std::size_t const bodies = drawn.bodies();
     std::size_t const trials = drawn.trials_per_wave();
-    auto const own = trials * drawn.extra_bytes();
+    auto const extra = trials * drawn.extra_bytes();
     BlockRows kept;
     auto const copy = [](auto const& from, std::size_t each, std::size_t place, auto& to) {
         auto const begin = from.begin() + (place * each);
@@ -171,7 +171,7 @@ BlockRows rows_of_chosen(BlockRows rows, Plan const& drawn, std::int64_t block, 
         kept.waves.push_back(rows.waves[place]);
         copy(rows.measures, bodies, place, kept.measures);
         copy(rows.trials.rows, trials, place, kept.trials.rows);
-        copy(rows.trials.extra, own, place, kept.trials.extra);
+        copy(rows.trials.extra, extra, place, kept.trials.extra);
     }
     return std::ssize(kept.waves) == count ? std::move(rows) : std::move(kept);
 }

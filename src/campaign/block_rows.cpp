@@ -53,13 +53,13 @@ std::vector<BlockRows> parted(BlockRows all, Plan const& plan, std::span<std::in
     std::span<WaveRow const> waves(all.waves);
     std::span<MeasureRow const> measures(all.measures);
     std::span<TrialRow const> trials(all.trials.rows);
-    std::span<std::byte const> own(all.trials.extra);
+    std::span<std::byte const> extra(all.trials.extra);
     for (auto const block : blocks) {
         auto const count = plan.waves_of_block(block).count;
         auto const of_trials = count * plan.trials_per_wave();
         parts.push_back({next_of(waves, count),
                          next_of(measures, count * plan.bodies()),
-                         {next_of(trials, of_trials), next_of(own, of_trials * plan.extra_bytes())}});
+                         {next_of(trials, of_trials), next_of(extra, of_trials * plan.extra_bytes())}});
     }
     return parts;
 }

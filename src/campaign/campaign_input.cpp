@@ -65,15 +65,15 @@ CampaignInput without_hazard(CampaignInput input) {
 }
 
 void add_changes(std::vector<std::string>& found, StatedValues const& before, StatedValues const& now) {
-    auto const said = [](StatedValues const& values, std::string const& key) {
+    auto const text_of = [](StatedValues const& values, std::string const& key) {
         auto const value = values.find(key);
         return value == values.end() ? std::string("not stated") : value->second;
     };
     auto keys = before;
     keys.insert(now.begin(), now.end());
     for (auto const& [key, value] : keys) {
-        if (said(before, key) != said(now, key)) {
-            found.push_back(fmt::format("{} was {}, is {}", key, said(before, key), said(now, key)));
+        if (text_of(before, key) != text_of(now, key)) {
+            found.push_back(fmt::format("{} was {}, is {}", key, text_of(before, key), text_of(now, key)));
         }
     }
 }

@@ -112,7 +112,7 @@ std::string_view words_of_falls(LimitState const& limit, std::span<LimitState co
 
 }  // namespace
 
-std::string said_name(LimitState const& limit, std::span<LimitState const> limits) {
+std::string full_name(LimitState const& limit, std::span<LimitState const> limits) {
     return limit.name + std::string(words_of_falls(limit, limits));
 }
 
@@ -121,7 +121,7 @@ std::string definition_of(LimitState const& limit, std::span<LimitState const> l
     auto const names = [&] {
         std::string text;
         for (auto const place : limit.of) {
-            text += (text.empty() ? "" : ", ") + said_name(limits[place], limits);
+            text += (text.empty() ? "" : ", ") + full_name(limits[place], limits);
         }
         return text;
     };
@@ -152,17 +152,17 @@ LimitJudge::LimitJudge(std::span<LimitState const> limits, ModelSelector const& 
         for (auto const& [traits, offset] : selector.extra_parts()) {
             auto const found = std::ranges::find(traits->fields, quantity.name, &Field::name);
             if (found != traits->fields.end()) {
-                own_.push_back({l, traits->number, *found});
-                own_.back().field.offset += offset;
+                extra_.push_back({l, traits->number, *found});
+                extra_.back().field.offset += offset;
             }
         }
     }
 }
 
-bool LimitJudge::reads_extra() const { return !own_.empty(); }
+bool LimitJudge::reads_extra() const { return !extra_.empty(); }
 
 // NaN where it is unknown.
-double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const {
+double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> extra) const {
     auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
     if (columns_[limit] != nullptr) {
         bool const answered = (missed & limits_[limit].quantity.needs) == 0;
@@ -173,15 +173,15 @@ double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<st
         return never;
     }
     auto const part = std::ranges::find_if(
-        own_, [&](Own const& candidate) { return candidate.limit == limit && candidate.model == row.model; });
-    return part == own_.end() || own.empty() ? never : value_at(own, part->field);
+        extra_, [&](Own const& candidate) { return candidate.limit == limit && candidate.model == row.model; });
+    return part == extra_.end() || extra.empty() ? never : value_at(extra, part->field);
 }
 
-double LimitJudge::nearness(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const {
+double LimitJudge::nearness(std::size_t limit, TrialRow const& row, std::span<std::byte const> extra) const {
     auto const& state = limits_[limit];
     constexpr double beyond = 1.0000001;
     bool const fell = entry_of(row.verdict).fell;
-    double const value = value_of(limit, row, own);
+    double const value = value_of(limit, row, extra);
     double const size = std::abs(value);
     // fmax: what is not known of a trial that fell decides nothing.
     double const least = fell && state.falls_pass ? std::max(row.peak_rotation_ratio, beyond) : never;
@@ -205,15 +205,15 @@ double LimitJudge::nearness(std::size_t limit, TrialRow const& row, std::span<st
             break;
     }
     bool const nearest = state.rule == LimitState::Rule::any;
-    double combined = nearness(state.of.front(), row, own);
+    double combined = nearness(state.of.front(), row, extra);
     for (auto const part : state.of) {
-        double const near = nearness(part, row, own);
+        double const near = nearness(part, row, extra);
         combined = std::isnan(near) ? near : nearest ? std::max(combined, near) : std::min(combined, near);
     }
     return combined;
 }
 
-LimitOutcomes LimitJudge::judge(TrialRow const& row, std::span<std::byte const> own) const {
+LimitOutcomes LimitJudge::judge(TrialRow const& row, std::span<std::byte const> extra) const {
     auto const& end = entry_of(row.verdict);
     LimitOutcomes outcomes;
     if (!end.decided) {
@@ -233,7 +233,7 @@ LimitOutcomes LimitJudge::judge(TrialRow const& row, std::span<std::byte const> 
             case LimitState::Rule::below:
                 if (end.fell && limit.falls_pass) {
                     set(l, true);
-                } else if (double const value = value_of(l, row, own); !std::isnan(value)) {
+                } else if (double const value = value_of(l, row, extra); !std::isnan(value)) {
                     set(l, exceeds(limit, value));
                 }
                 break;

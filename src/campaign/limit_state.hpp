@@ -63,7 +63,7 @@ inline constexpr char const* overturning_limit = "overturning";
 inline constexpr char const *touching_limit = "touches", *leaving_limit = "leaves-the-pad";
 
 /// Name of a limit state in results: "touches"; where a fall alone does not pass it "touches without overturning".
-[[nodiscard]] std::string said_name(LimitState const& limit, std::span<LimitState const> limits);
+[[nodiscard]] std::string full_name(LimitState const& limit, std::span<LimitState const> limits);
 
 /// "peak_slip > 30 cm"; "peak_slip > 30 cm without overturning"; "any of touches, overturning".
 [[nodiscard]] std::string definition_of(LimitState const& limit, std::span<LimitState const> limits);
@@ -86,11 +86,11 @@ class LimitJudge {
     LimitJudge(std::span<LimitState const> limits, ModelSelector const& selector);
 
     /// \param own the record of what models have to say of their own; empty: unknown
-    [[nodiscard]] LimitOutcomes judge(TrialRow const& row, std::span<std::byte const> own) const;
+    [[nodiscard]] LimitOutcomes judge(TrialRow const& row, std::span<std::byte const> extra) const;
     /// Ratio of the response to the limit, continuous [-]: at least 1 where the trial passed, at most 1 where it did
     /// not. It is the magnitude over its threshold (inverse for `below`), the largest of `any`, the smallest of `all`,
     /// the tilt over alpha for overturning. NaN where it is unknown.
-    [[nodiscard]] double nearness(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const;
+    [[nodiscard]] double nearness(std::size_t limit, TrialRow const& row, std::span<std::byte const> extra) const;
     /// Does any limit depend on such a record?
     [[nodiscard]] bool reads_extra() const;
 
@@ -100,11 +100,11 @@ class LimitJudge {
         std::int64_t model;
         Field field;  ///< its offset is that in the record
     };
-    [[nodiscard]] double value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> own) const;
+    [[nodiscard]] double value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> extra) const;
 
     std::span<LimitState const> limits_;
     std::vector<Field const*> columns_;  ///< of /trials, one a limit; null where it reads none
-    std::vector<Own> own_;
+    std::vector<Own> extra_;
 };
 
 }  // namespace overturn

@@ -48,7 +48,7 @@ std::int64_t trials_on_points(CampaignSpec const& spec, std::int64_t levels) {
            });
 }
 
-// By what the campaign says, not by a clock: ranks, parts and resumed runs cut it alike. A block is no longer than a
+// By what the campaign says, not by a clock: ranks, parts and resumed runs cut it equally. A block is no longer than a
 // rank, and the one that merges, can hold many of. Looks at a target come at the ends of blocks.
 std::int64_t waves_per_block(std::int64_t waves, std::int64_t trials_per_wave, std::int64_t on_points,
                              CampaignSpec const& spec) {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
-#include "store/claim.hpp"
+#include "store/block_lock.hpp"
 
 namespace overturn {
 

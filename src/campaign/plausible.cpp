@@ -199,23 +199,23 @@ double of_most(DrawnWave const& wave, Measure measure, double value) {
 }
 double velocity_of_most(DrawnWave const& wave) { return of_most(wave, measure_named("pgv"), wave.row.pgv_mps); }
 double travel_of_most(DrawnWave const& wave) { return of_most(wave, measure_named("pgd"), wave.row.pgd_m); }
-std::string velocity_said(DrawnWave const& /*wave*/, double share) {
+std::string velocity_text(DrawnWave const& /*wave*/, double share) {
     return fmt::format("wave 0 reaches {:.3g} m/s at the highest level", share * measure_named("pgv")->plausible.most);
 }
-std::string travel_said(DrawnWave const& /*wave*/, double share) {
+std::string travel_text(DrawnWave const& /*wave*/, double share) {
     return fmt::format("wave 0 moves the ground by {:.3g} m at the highest level",
                        share * measure_named("pgd")->plausible.most);
 }
 
-std::string vertical_said(DrawnWave const& wave, double share) {
+std::string vertical_text(DrawnWave const& wave, double share) {
     return fmt::format("wave 0 is {} vertically: {:.3g} m/s2 beside {:.3g} m/s2", share > 1 ? "stronger" : "very weak",
                        share * wave.row.pga_mps2, wave.row.pga_mps2);
 }
-std::string transverse_said(DrawnWave const& wave, double share) {
+std::string transverse_text(DrawnWave const& wave, double share) {
     return fmt::format("wave 0 is {:.3g} times as strong across: {:.3g} m/s2 beside {:.3g} m/s2", share,
                        share * wave.row.pga_mps2, wave.row.pga_mps2);
 }
-std::string step_said(DrawnWave const& /*wave*/, double step_s) {
+std::string step_text(DrawnWave const& /*wave*/, double step_s) {
     return fmt::format("time step of {:g} s: nothing above {:.3g} Hz is in the waves", step_s, 0.5 / step_s);
 }
 
@@ -223,15 +223,15 @@ constexpr std::string_view of_slow = "Check the levels, and periods and their un
 constexpr double drawn_apart = 1.25;  // of one spectrum, by chance
 constexpr double rounding = 1e-9;
 constexpr std::array wave_ranges{
-    UsualRange<DrawnWave>{&vertical_share, 0.1, drawn_apart, &vertical_said,
+    UsualRange<DrawnWave>{&vertical_share, 0.1, drawn_apart, &vertical_text,
                           "usual: half to two thirds, near a fault up to 1", "Check waves.vertical"},
-    UsualRange<DrawnWave>{&transverse_share, 0.25, 2, &transverse_said, "horizontal components are much alike",
+    UsualRange<DrawnWave>{&transverse_share, 0.25, 2, &transverse_text, "horizontal components differ little",
                           "Check waves.transverse"},
-    UsualRange<DrawnWave>{&step, 0, 0.02 + rounding, &step_said,
+    UsualRange<DrawnWave>{&step, 0, 0.02 + rounding, &step_text,
                           "spectra are stated to 33 or 50 Hz, pads and bodies move at 10 Hz and more",
                           "State waves.time_step = \"0.01 s\""},
-    UsualRange<DrawnWave>{&velocity_of_most, 0, 1, &velocity_said, measure_named("pgv")->plausible.known, of_slow},
-    UsualRange<DrawnWave>{&travel_of_most, 0, 1, &travel_said, measure_named("pgd")->plausible.known, of_slow}};
+    UsualRange<DrawnWave>{&velocity_of_most, 0, 1, &velocity_text, measure_named("pgv")->plausible.known, of_slow},
+    UsualRange<DrawnWave>{&travel_of_most, 0, 1, &travel_text, measure_named("pgd")->plausible.known, of_slow}};
 
 // In space the points of a square bed count in both directions.
 void add_coarser_beds(CampaignSpec const& spec, Lines& lines) {

@@ -97,72 +97,72 @@ template <std::optional<Distribution> BodyScatter::*quantity> double scatter(Bod
 std::string scatter_text(std::string_view quantity, double share) {
     return fmt::format("{} scatters by {:.2g} % either way", quantity, 100 * share);
 }
-std::string mass_said(BodySpec const& /*body*/, double share) { return scatter_text("mass", share); }
-std::string height_said(BodySpec const& /*body*/, double share) { return scatter_text("centre_height", share); }
-std::string bounce_said(BodySpec const& /*body*/, double share) { return scatter_text("restitution", share); }
-std::string grip_said(BodySpec const& /*body*/, double share) { return scatter_text("friction", share); }
+std::string mass_text(BodySpec const& /*body*/, double share) { return scatter_text("mass", share); }
+std::string height_text(BodySpec const& /*body*/, double share) { return scatter_text("centre_height", share); }
+std::string bounce_text(BodySpec const& /*body*/, double share) { return scatter_text("restitution", share); }
+std::string grip_text(BodySpec const& /*body*/, double share) { return scatter_text("friction", share); }
 
 std::string length_text(BodySpec const& body, double value_m, int digits = 4) {
     return fmt::format("{:.{}g} {}", value_m / body.units.length.si, digits, body.units.length.symbol);
 }
 
-std::string density_said(BodySpec const& body, double value) {
+std::string density_text(BodySpec const& body, double value) {
     return fmt::format("mass {:.4g} kg in the box of base and centre height is {:.3g} kg/m3", body.body.mass_kg(),
                        value);
 }
-std::string gyration_said(BodySpec const& body, double value) {
+std::string gyration_text(BodySpec const& body, double value) {
     return fmt::format("inertia {:.4g} kg m2 is a radius of gyration of {}, {:.2g} of R", body.body.inertia_kgm2(),
                        length_text(body, value * body.body.radius_m(), 3), value);
 }
-std::string ratio_said(BodySpec const& body, double value) {
+std::string ratio_text(BodySpec const& body, double value) {
     return fmt::format("centre height {} over half the width is {:.3g}", length_text(body, body.body.centre_height_m()),
                        value);
 }
-std::string restitution_said(BodySpec const& body, double value) {
+std::string restitution_text(BodySpec const& body, double value) {
     return fmt::format("restitution {:.4g} is {:.2g} of Housner's for its shape, {:.4g}", body.body.restitution(),
                        value, body.body.housner_restitution());
 }
-std::string friction_said(BodySpec const& /*body*/, double value) {
+std::string friction_text(BodySpec const& /*body*/, double value) {
     return fmt::format("static friction {:.4g}", value);
 }
-std::string kinetic_said(BodySpec const& /*body*/, double value) {
+std::string kinetic_text(BodySpec const& /*body*/, double value) {
     return fmt::format("kinetic friction is {:.2g} of the static one", value);
 }
-std::string gravity_said(BodySpec const& /*body*/, double value) { return fmt::format("gravity {:.4g} m/s2", value); }
-std::string length_said(BodySpec const& /*body*/, double value) {
+std::string gravity_text(BodySpec const& /*body*/, double value) { return fmt::format("gravity {:.4g} m/s2", value); }
+std::string model_length_text(BodySpec const& /*body*/, double value) {
     return fmt::format("similarity.length {:.4g}", value);
 }
-std::string tilt_said(BodySpec const& /*body*/, double value) { return fmt::format("initial_tilt {:.3g} deg", value); }
-std::string slope_said(BodySpec const& /*body*/, double value) { return fmt::format("slope {:.3g} deg", value); }
-std::string offset_said(BodySpec const& body, double value) {
+std::string tilt_text(BodySpec const& /*body*/, double value) { return fmt::format("initial_tilt {:.3g} deg", value); }
+std::string slope_text(BodySpec const& /*body*/, double value) { return fmt::format("slope {:.3g} deg", value); }
+std::string offset_text(BodySpec const& body, double value) {
     return fmt::format("offset {} is {:.2g} of half the width", length_text(body, body.body.offset_m()), value);
 }
-std::string frequency_said(BodySpec const& /*body*/, double value) {
+std::string frequency_text(BodySpec const& /*body*/, double value) {
     return fmt::format("pad.vertical_frequency {:g} Hz", value);
 }
-std::string bouncing_said(BodySpec const& /*body*/, double value) {
+std::string bouncing_text(BodySpec const& /*body*/, double value) {
     return fmt::format("pad.normal_restitution {:g}", value);
 }
-std::string shear_said(BodySpec const& /*body*/, double value) {
+std::string shear_text(BodySpec const& /*body*/, double value) {
     return fmt::format("pad.tangential_ratio {:g}", value);
 }
-std::string damping_said(BodySpec const& /*body*/, double value) {
+std::string damping_text(BodySpec const& /*body*/, double value) {
     return fmt::format("pad.tangential_damping {:g}", value);
 }
-std::string bed_said(BodySpec const& /*body*/, double value) {
+std::string bed_text(BodySpec const& /*body*/, double value) {
     return fmt::format("a bed of {:g} points from corner to corner", value);
 }
-std::string rim_said(BodySpec const& /*body*/, double value) { return fmt::format("a rim of {:g} points", value); }
-std::string across_said(BodySpec const& /*body*/, double value) {
+std::string rim_text(BodySpec const& /*body*/, double value) { return fmt::format("a rim of {:g} points", value); }
+std::string across_text(BodySpec const& /*body*/, double value) {
     return fmt::format("inertia_y is {:.3g} of the inertia in the rocking plane", value);
 }
-std::string vertical_said(BodySpec const& /*body*/, double value) {
+std::string vertical_text(BodySpec const& /*body*/, double value) {
     return fmt::format("inertia_z is {:.3g} of the inertia in the rocking plane", value);
 }
-std::string part_said(BodySpec const& /*body*/, double value) {
+std::string part_text(BodySpec const& /*body*/, double value) {
     return fmt::format("a cylinder of {:.4g} kg/m3", value);
 }
-std::string strength_said(BodySpec const& /*body*/, double value) {
+std::string strength_text(BodySpec const& /*body*/, double value) {
     return fmt::format("pad.strength {:g} MPa", value);
 }
 
@@ -176,47 +176,48 @@ constexpr std::string_view check_deviation = "Check its deviation: 0.05 of the m
 constexpr double least_scatter = 1e-4;  // less is none
 using OfBody = UsualRange<BodySpec>;
 constexpr std::array body_ranges{
-    OfBody{&density_of_casks, 1200, 4500, &density_said, "casks 1500 to 4500", sizes},
-    OfBody{&density_of_models, 1200, 8000, &density_said, "concrete 2400, granite 2700, steel 7850", sizes},
-    OfBody{&gyration, least_gyration_share, 1, &gyration_said,
+    OfBody{&density_of_casks, 1200, 4500, &density_text, "casks 1500 to 4500", sizes},
+    OfBody{&density_of_models, 1200, 8000, &density_text, "concrete 2400, granite 2700, steel 7850", sizes},
+    OfBody{&gyration, least_gyration_share, 1, &gyration_text,
            "0.58 of a uniform block about its centre of gravity, 1.15 about its corner",
            "Check its axis and unit, or write \"uniform-block\""},
-    OfBody{&ratio_of_casks, 1, 3, &ratio_said, "casks 1.5 to 3",
+    OfBody{&ratio_of_casks, 1, 3, &ratio_text, "casks 1.5 to 3",
            "Check that centre_height is that of the centre of gravity, base_width the whole width, and that they are "
            "not swapped"},
-    OfBody{&ratio_of_models, 0.8, 15, &ratio_said, "models of casks 1.5 to 3, slender test blocks 7 to 13", swapped},
-    OfBody{&of_housner, 0.7, 1.6, &restitution_said, "measured: 0.9 to 1.3 of it",
+    OfBody{&ratio_of_models, 0.8, 15, &ratio_text, "models of casks 1.5 to 3, slender test blocks 7 to 13", swapped},
+    OfBody{&of_housner, 0.7, 1.6, &restitution_text, "measured: 0.9 to 1.3 of it",
            "State another, or \"housner\": one too low takes energy that a real body keeps"},
-    OfBody{&friction, 0.15, 1.2, &friction_said, "steel on concrete 0.2 to 0.8", "Check it"},
-    OfBody{&kinetic_share, 0.5, 1, &kinetic_said, "0.7 to 1", "Check it"},
-    OfBody{&gravity, 9.7, 9.9, &gravity_said, "9.78 to 9.83 on Earth", its_unit},
-    OfBody{&model_length, 0.02, 1, &length_said, "a model over its prototype, 1/10 to 1/2", "Check direction, and it"},
-    OfBody{&slope_deg, 0, 5, &slope_said, "floors 0 to 2", "Write its unit, \"1 deg\": a bare number is rad"},
-    OfBody{&tilt_deg, 0, 5, &tilt_said, "a body that is let go before it is shaken 0 to 5",
+    OfBody{&friction, 0.15, 1.2, &friction_text, "steel on concrete 0.2 to 0.8", "Check it"},
+    OfBody{&kinetic_share, 0.5, 1, &kinetic_text, "0.7 to 1", "Check it"},
+    OfBody{&gravity, 9.7, 9.9, &gravity_text, "9.78 to 9.83 on Earth", its_unit},
+    OfBody{&model_length, 0.02, 1, &model_length_text, "a model over its prototype, 1/10 to 1/2",
+           "Check direction, and it"},
+    OfBody{&slope_deg, 0, 5, &slope_text, "floors 0 to 2", "Write its unit, \"1 deg\": a bare number is rad"},
+    OfBody{&tilt_deg, 0, 5, &tilt_text, "a body that is let go before it is shaken 0 to 5",
            "Write its unit, \"1 deg\": a bare number is rad"},
-    OfBody{&offset_share, 0, 0.3, &offset_said, "casks less than 0.05", its_unit},
-    OfBody{&pad_frequency, 5, 500, &frequency_said, "of casks and models 20 to 100 Hz", its_unit},
-    OfBody{&pad_strength_mpa, 0.1, 300, &strength_said, "wood 5, concrete 20 to 60", its_unit},
-    OfBody{&pad_bounce, 0, 0.8, &bouncing_said, "0.1 to 0.5 in a flat drop", "Check it"},
-    OfBody{&pad_shear, 0.3, 3, &shear_said, "0.7 to 1 by the theory of contact", "Check it"},
-    OfBody{&pad_damping, 0, 1, &damping_said, "a fraction of critical: 0.3 for 30 %", "Check it"},
-    OfBody{&bed_points, 15, 1000, &bed_said,
+    OfBody{&offset_share, 0, 0.3, &offset_text, "casks less than 0.05", its_unit},
+    OfBody{&pad_frequency, 5, 500, &frequency_text, "of casks and models 20 to 100 Hz", its_unit},
+    OfBody{&pad_strength_mpa, 0.1, 300, &strength_text, "wood 5, concrete 20 to 60", its_unit},
+    OfBody{&pad_bounce, 0, 0.8, &bouncing_text, "0.1 to 0.5 in a flat drop", "Check it"},
+    OfBody{&pad_shear, 0.3, 3, &shear_text, "0.7 to 1 by the theory of contact", "Check it"},
+    OfBody{&pad_damping, 0, 1, &damping_text, "a fraction of critical: 0.3 for 30 %", "Check it"},
+    OfBody{&bed_points, 15, 1000, &bed_text,
            "15 or more: fewer points overturn too seldom, 5 miss a quarter of the falls", "Leave base.points out"},
-    OfBody{&rim_points, BasePlan::most_points_around + 1, 1000, &rim_said,
+    OfBody{&rim_points, BasePlan::most_points_around + 1, 1000, &rim_text,
            "none: the rim is continuous; one pulse along a line turned a cask by up to 4.3 rad on 32 points, by 2 rad "
            "on 64",
            "Leave base.points out, unless to compare slip"},
-    OfBody{&crushing_rim_points, BasePlan::points_around, 1000, &rim_said,
+    OfBody{&crushing_rim_points, BasePlan::points_around, 1000, &rim_text,
            "64 or more on a pad that yields: on 32 a pulse tilts a body by 0.70 to 0.88 alpha, as it is turned in plan",
            "Leave base.points out, or see them in overturn cost"},
-    OfBody{&inertia_across, 0.2, 5, &across_said, "1 of a round or square body", its_unit},
-    OfBody{&inertia_vertical, 0.05, 5, &vertical_said, "0.2 to 0.6 of a cask", its_unit},
-    OfBody{&densest_part, 0, 9000, &part_said, "steel 7850, solid", "Check its unit, and diameter (not the radius)"},
-    OfBody{&scatter<&BodyScatter::mass>, least_scatter, 0.2, &mass_said, "of a cask 1 to 5 %", check_deviation},
-    OfBody{&scatter<&BodyScatter::centre_height>, least_scatter, 0.15, &height_said, "of a cask 1 to 5 %",
+    OfBody{&inertia_across, 0.2, 5, &across_text, "1 of a round or square body", its_unit},
+    OfBody{&inertia_vertical, 0.05, 5, &vertical_text, "0.2 to 0.6 of a cask", its_unit},
+    OfBody{&densest_part, 0, 9000, &part_text, "steel 7850, solid", "Check its unit, and diameter (not the radius)"},
+    OfBody{&scatter<&BodyScatter::mass>, least_scatter, 0.2, &mass_text, "of a cask 1 to 5 %", check_deviation},
+    OfBody{&scatter<&BodyScatter::centre_height>, least_scatter, 0.15, &height_text, "of a cask 1 to 5 %",
            check_deviation},
-    OfBody{&scatter<&BodyScatter::restitution>, least_scatter, 0.3, &bounce_said, "5 to 15 %", check_deviation},
-    OfBody{&scatter<&BodyScatter::friction>, least_scatter, 0.5, &grip_said, "10 to 30 %", check_deviation}};
+    OfBody{&scatter<&BodyScatter::restitution>, least_scatter, 0.3, &bounce_text, "5 to 15 %", check_deviation},
+    OfBody{&scatter<&BodyScatter::friction>, least_scatter, 0.5, &grip_text, "10 to 30 %", check_deviation}};
 
 }  // namespace
 

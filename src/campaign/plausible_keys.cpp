@@ -30,7 +30,7 @@ constexpr std::array usual_keys{
     UsualKey{"waves.time_scale", 0.2, 2, "1, or the root of a model's length: 0.632 of 2/5"},
     UsualKey{"waves.match_tolerance", 0, 0.2, "0.05"},
     UsualKey{"waves.vertical.ratio", 0.1, 1, "half to two thirds, near a fault up to 1"},
-    UsualKey{"waves.transverse.ratio", 0.3, 1.5, "horizontal components are much alike"},
+    UsualKey{"waves.transverse.ratio", 0.3, 1.5, "horizontal components differ little"},
     UsualKey{"waves.transverse.correlation", -0.3, 0.3, "independent components stay within 0.16"},
     UsualKey{"waves.cycles", 1, 500, "an earthquake has some tens"},
     UsualKey{"waves.aftershock.scale", 0.1, 1.5, "half to 1"},
@@ -110,20 +110,20 @@ double level_part_s(CampaignSpec const& spec) {
     return stated_number(spec, "waves.envelope.level_end") - (std::isnan(rise) ? 0 : rise);
 }
 
-std::string level_part_said(CampaignSpec const& /*spec*/, double seconds) {
+std::string level_part_text(CampaignSpec const& /*spec*/, double seconds) {
     return fmt::format("waves.envelope is level for {:.3g} s", seconds);
 }
-std::string target_said(CampaignSpec const& spec, double share) {
+std::string target_text(CampaignSpec const& spec, double share) {
     return fmt::format("waves.vertical.target is {}, {:.3g} times the horizontal one",
                        word_of(spec, "waves.vertical.target.spectrum"), share);
 }
-std::string horizontal_said(CampaignSpec const& spec, double /*one*/) {
+std::string horizontal_text(CampaignSpec const& spec, double /*one*/) {
     return fmt::format("waves.target is {}", word_of(spec, "waves.target.spectrum"));
 }
-std::string longest_said(CampaignSpec const& spec, double /*ratio*/) {
+std::string longest_text(CampaignSpec const& spec, double /*ratio*/) {
     return fmt::format("waves.target.longest {}", word_of(spec, "waves.target.longest"));
 }
-std::string highest_said(CampaignSpec const& spec, double ratio) {
+std::string highest_text(CampaignSpec const& spec, double ratio) {
     return fmt::format("the highest level, {}, is {:.3g} times the design basis",
                        spec.levels.text(spec.levels.levels.back().value), ratio);
 }
@@ -131,18 +131,18 @@ std::string highest_said(CampaignSpec const& spec, double ratio) {
 constexpr double close = 0.02;
 using OfCampaign = UsualRange<CampaignSpec>;
 constexpr std::array campaign_ranges{
-    OfCampaign{&same_spectrum, 0.2, 0.9, &target_said, "vertical motion is half to two thirds of the horizontal one",
+    OfCampaign{&same_spectrum, 0.2, 0.9, &target_text, "vertical motion is half to two thirds of the horizontal one",
                "Name a vertical spectrum, or state waves.vertical.ratio"},
-    OfCampaign{&own_spectrum, 1 - close, 1 + close, &target_said,
+    OfCampaign{&own_spectrum, 1 - close, 1 + close, &target_text,
                "RG 1.60 prints its vertical spectra for the horizontal pga, already reduced",
                "Leave pga out: it is the horizontal one's"},
-    OfCampaign{&vertical_as_horizontal, 0, 0, &horizontal_said, "a vertical spectrum, lower than the horizontal one",
+    OfCampaign{&vertical_as_horizontal, 0, 0, &horizontal_text, "a vertical spectrum, lower than the horizontal one",
                "Name the horizontal spectrum"},
-    OfCampaign{&longest_of_compared, 0, 1 + close, &longest_said, "the target ends before it: nothing there is matched",
+    OfCampaign{&longest_of_compared, 0, 1 + close, &longest_text, "the target ends before it: nothing there is matched",
                "Leave it out"},
-    OfCampaign{&level_part_s, 0.5, 600, &level_part_said, "strong shaking lasts 5 s to minutes",
+    OfCampaign{&level_part_s, 0.5, 600, &level_part_text, "strong shaking lasts 5 s to minutes",
                "Check rise, level_end and their units"},
-    OfCampaign{&highest_of_basis, 0, 15, &highest_said, "usual: up to 3, in studies 10", "Check the units of both"}};
+    OfCampaign{&highest_of_basis, 0, 15, &highest_text, "usual: up to 3, in studies 10", "Check the units of both"}};
 
 }  // namespace
 

@@ -72,14 +72,14 @@ rare::Answer RareProblem::answer_of(Response const& response, double demand) con
 }
 
 rare::Answer RareProblem::held_to_limit(DrawnBody const& drawn, Response const& response,
-                                        std::span<std::byte const> own, double demand) const {
+                                        std::span<std::byte const> extra, double demand) const {
     TrialRow row;
     static_cast<Response&>(row) = response;
     row.centre_height_m = drawn.body.centre_height_m();
     row.body = body_number_;
-    site_.fill(row, {row, own});
-    auto const outcomes = judge_.judge(row, own);
-    double const near = judge_.nearness(limit_, row, own);
+    site_.fill(row, {row, extra});
+    auto const outcomes = judge_.judge(row, extra);
+    double const near = judge_.nearness(limit_, row, extra);
     rare::Answer answer{.driver = near == 0 ? not_begun(demand) : near,
                         .failed = outcomes.has_passed(limit_),
                         .undecided = !outcomes.is_decided(limit_)};

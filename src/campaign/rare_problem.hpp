@@ -47,7 +47,7 @@ class RareProblem : public rare::Problem {
     }
     [[nodiscard]] rare::Answer answer_of(Response const& response, double demand) const;
     [[nodiscard]] rare::Answer held_to_limit(DrawnBody const& drawn, Response const& response,
-                                             std::span<std::byte const> own, double demand) const;
+                                             std::span<std::byte const> extra, double demand) const;
 
     std::size_t body_number_;
     BodySpec const& body_;

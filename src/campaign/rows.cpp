@@ -51,7 +51,7 @@ template <auto Member> void add_match(Fields& fields, std::string const& compone
     add("mean_ratio", "1", "mean of computed / target", offset_of<&C::mean_ratio>());
 }
 
-std::vector<std::string> at_told_periods(std::string_view what) {
+std::vector<std::string> at_reported_periods(std::string_view what) {
     std::vector<std::string> descriptions;
     descriptions.reserve(epsilon_periods_s.size());
     for (double const period : epsilon_periods_s) {
@@ -135,11 +135,11 @@ Fields fields_of_waves() {
     add_match<&W::transverse_match>(fields, "transverse");
     add_match<&W::vertical_match>(fields, "vertical");
     add_each<&W::epsilon>(fields, "epsilon", "1",
-                          at_told_periods("standard deviations of the drawn target above the median"));
+                          at_reported_periods("standard deviations of the drawn target above the median"));
     add_each<&W::epsilon_between>(fields, "epsilon_between", "1",
-                                  at_told_periods("between-event standard deviations of its event's part of it"));
+                                  at_reported_periods("between-event standard deviations of its event's part of it"));
     add_each<&W::epsilon_within>(fields, "epsilon_within", "1",
-                                 at_told_periods("within-event standard deviations of its own part of it"));
+                                 at_reported_periods("within-event standard deviations of its own part of it"));
     add_measures<&W::measured>(fields, &IntensityMeasure::has_wave_column, "");
     add_each<&W::sa_mps2>(fields, "sa", "m/s2", std::vector<std::string>(most_sa_periods, "pseudo-acceleration"));
     return fields;

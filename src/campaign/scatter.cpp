@@ -33,8 +33,9 @@ constexpr config::Keys distribution_keys{
     share_of("median", "median").only("distribution = lognormal"),
     config::number_key("beta", Dimension::none, {.low = 0, .high = 2}, "standard deviation of the logarithm")
         .only("distribution = lognormal"),
-    share_of("low", "lower limit; required for a uniform distribution").otherwise_said("limit of the key's range"),
-    share_of("high", "upper limit; required for a uniform distribution").otherwise_said("limit of the key's range")};
+    share_of("low", "lower limit; required for a uniform distribution").otherwise_in_words("limit of the key's range"),
+    share_of("high", "upper limit; required for a uniform distribution")
+        .otherwise_in_words("limit of the key's range")};
 
 Distribution read_stated(Table const& given, DistributionKind kind, config::Given const& value) {
     switch (kind) {

@@ -42,11 +42,11 @@ constexpr config::Keys site_keys{
     sides_key("edge", "distance to the edge of the pad; one value, or by direction"),
     config::text_key("cask_body",
                      "name of the body used as the other cask; it moves as in its trial of the same wave and level")
-        .otherwise_said("the body itself"),
+        .otherwise_in_words("the body itself"),
     config::number_key("height", Dimension::length, Range::positive(), "height of the top of a body above its base")
-        .otherwise_said("from its parts, or twice centre_height"),
+        .otherwise_in_words("from its parts, or twice centre_height"),
     config::number_key("width", Dimension::length, Range::positive(), "largest width of a body")
-        .otherwise_said("from its parts, or base_width")};
+        .otherwise_in_words("from its parts, or base_width")};
 
 Sides read_sides(Table const& table, config::Key const& key) {
     Sides sides;

@@ -138,9 +138,9 @@ SiteJudge::PerSide SiteJudge::base_ways(Trial const& trial) const {
 double SiteJudge::tilt_towards(std::size_t side, Trial const& trial) const {
     auto const* const model = model_of(trial);
     if (model != nullptr && model->rotations.at(side)) {
-        double const told = towards(side, real_at(trial.extra, *model->rotations.at(side)));
-        if (!std::isnan(told)) {
-            return told;
+        double const reach = towards(side, real_at(trial.extra, *model->rotations.at(side)));
+        if (!std::isnan(reach)) {
+            return reach;
         }
     }
     return largest_tilt(side == 0 ? 1 : -1, trial.row, bodies_[trial.row.body].body);

@@ -165,7 +165,7 @@ TrialRows answered(CampaignSpec const& spec, ModelSelector const& selector, Prep
     if (!failed(row)) {
         auto const scene = scene_of(spec, wave, body);
         auto const response = selector.respond(scaled(scene, wave, row), trial.extra);
-        close_row(spec, row, wave, response, selector.own_value(response, "peak_rise", trial.extra));
+        close_row(spec, row, wave, response, selector.extra_value(response, "peak_rise", trial.extra));
     }
     return trial;
 }
@@ -269,8 +269,8 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
             scenes.push_back(scene_of(spec, wave, body));
             for (auto level = first_level; level < first_level + plan.level_count(); ++level) {
                 rows.push_back(open_row(spec, wave, body, level));
-                auto const own = std::span(trials.extra).subspan((rows.size() - 1) * each, each);
-                if (failed(rows.back()) || known_rows.take(rows.size() - 1 - first_of_wave, rows.back(), own)) {
+                auto const extra = std::span(trials.extra).subspan((rows.size() - 1) * each, each);
+                if (failed(rows.back()) || known_rows.take(rows.size() - 1 - first_of_wave, rows.back(), extra)) {
                     continue;
                 }
                 places.push_back({rows.size() - 1, &wave});
@@ -280,20 +280,21 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
     }
     constexpr std::size_t most_at_once = 4096;  // a second's work or less: some waves have tens of thousands of levels
     std::vector<Response> responses(std::min(most_at_once, tried.size()));
-    std::vector<std::byte> own(responses.size() * each);
+    std::vector<std::byte> extra(responses.size() * each);
     for (std::size_t first = 0; first < tried.size(); first += most_at_once) {
         if (first > 0 && !keep_running()) {
             return false;
         }
         auto const count = std::min(most_at_once, tried.size() - first);
         account(selector.respond(std::span(tried).subspan(first, count), std::span(responses).first(count),
-                                 std::span(own).first(count * each)),
+                                 std::span(extra).first(count * each)),
                 seconds);
         for (std::size_t i = 0; i < count; ++i) {
             auto const& [row, wave] = places[first + i];
-            double const rise_m = selector.own_value(responses[i], "peak_rise", std::span(own).subspan(i * each, each));
+            double const rise_m =
+                selector.extra_value(responses[i], "peak_rise", std::span(extra).subspan(i * each, each));
             close_row(spec, rows[row], *wave, responses[i], rise_m);
-            std::copy_n(own.begin() + (i * each), each, trials.extra.begin() + (row * each));
+            std::copy_n(extra.begin() + (i * each), each, trials.extra.begin() + (row * each));
         }
     }
     judge_site(SiteJudge(spec.site, spec.bodies, selector), plan, trials, first_row);

@@ -167,14 +167,15 @@ void add_motions(CampaignSpec const& spec, Lines& lines) {
 
 }  // namespace
 
-std::string warning_of_alike_waves(CampaignSpec const& spec) {
-    auto const alike = spec.source->about().waves_alike;
-    return alike == 1 ? std::string()
-                      : fmt::format(
-                          "Groups of {0} waves share a drawn target. They are resampled together and count as one wave "
-                          "in intervals of proportions; this is conservative. Use independent waves (per_target = 1, "
-                          "targets_per_event = 1) for narrower intervals",
-                          alike);
+std::string warning_of_shared_draws(CampaignSpec const& spec) {
+    auto const shared = spec.source->about().waves_per_draw;
+    return shared == 1
+               ? std::string()
+               : fmt::format(
+                   "Groups of {0} waves share a drawn target. They are resampled together and count as one wave "
+                   "in intervals of proportions; this is conservative. Use independent waves (per_target = 1, "
+                   "targets_per_event = 1) for narrower intervals",
+                   shared);
 }
 
 std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, GroundMotion const& motion,
@@ -284,8 +285,8 @@ std::vector<std::string> warnings_of(CampaignSpec const& spec) {
     for (auto& line : implausible_statements(spec)) {
         lines.push_back(std::move(line));
     }
-    if (auto alike = warning_of_alike_waves(spec); !alike.empty()) {
-        lines.push_back(std::move(alike));
+    if (auto shared = warning_of_shared_draws(spec); !shared.empty()) {
+        lines.push_back(std::move(shared));
     }
     add_limits(spec, lines);
     add_rare(spec, lines);

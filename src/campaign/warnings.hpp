@@ -14,7 +14,7 @@ namespace overturn {
 [[nodiscard]] std::vector<std::string> warnings_of(CampaignSpec const& spec);
 
 /// Waves that share what was drawn, and what that does to intervals; empty where none do.
-[[nodiscard]] std::string warning_of_alike_waves(CampaignSpec const& spec);
+[[nodiscard]] std::string warning_of_shared_draws(CampaignSpec const& spec);
 
 /// Effects that the bodies call for under this wave at the highest level and that no model holds together, and what
 /// stated effects leave out.

@@ -38,9 +38,9 @@ class CapacityReader {
             rows_.fail("no capacity (a header alone). Add rows");
         }
         std::ranges::sort(table_.capacities, {}, &Capacity::intensity);
-        auto said = intensity_text(rows_, file_, table_.column);
-        table_.unit = std::move(said.unit);
-        table_.unread = std::move(said.unread);
+        auto read = intensity_text(rows_, file_, table_.column);
+        table_.unit = std::move(read.unit);
+        table_.unread = std::move(read.unread);
         return std::move(table_);
     }
 

@@ -12,7 +12,7 @@
 #include "campaign/version.hpp"
 #include "campaign/warnings.hpp"
 #include "campaign/withheld_inputs.hpp"
-#include "cli/assumptions_told.hpp"
+#include "cli/assumptions_text.hpp"
 #include "cli/campaign_hazard.hpp"
 #include "cli/fit_options.hpp"
 #include "cli/fit_tables.hpp"
@@ -185,8 +185,8 @@ void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics c
 
 void print_fitted(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics, bool withheld,
                   std::string const& file, output::TextOptions const& text) {
-    auto const alike = warning_of_alike_waves(spec);
-    std::string notes = alike.empty() ? std::string() : "note: " + alike + "\n";
+    auto const shared = warning_of_shared_draws(spec);
+    std::string notes = shared.empty() ? std::string() : "note: " + shared + "\n";
     if (all.by_hand.empty() && withheld) {
         notes += "note: no hand calculation without the records (inputs = \"hash-only\")\n";
     }

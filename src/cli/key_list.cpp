@@ -26,7 +26,7 @@ std::string beside(std::string begun, std::string_view text) {
 }
 
 bool has_default(Key const& key) {
-    return key.absent.kind == Default::Kind::value || key.absent.kind == Default::Kind::said;
+    return key.absent.kind == Default::Kind::value || key.absent.kind == Default::Kind::in_words;
 }
 
 std::string title_of(PlacedTable const& placed) {

@@ -10,7 +10,7 @@
 
 #include "campaign/campaign_spec.hpp"
 #include "campaign/limit_state.hpp"
-#include "cli/assumptions_told.hpp"
+#include "cli/assumptions_text.hpp"
 #include "cli/column_list.hpp"
 #include "cli/key_list.hpp"
 #include "cli/verbs.hpp"

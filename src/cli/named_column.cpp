@@ -8,11 +8,11 @@
 
 #include "campaign/intensity_measure.hpp"
 #include "core/units.hpp"
-#include "motion/claims.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/operators_in_name.hpp"
 #include "motion/text_lines.hpp"
+#include "motion/text_statements.hpp"
 
 namespace overturn::cli {
 
@@ -111,24 +111,24 @@ IntensityText intensity_text(CellRows const& rows, std::string const& file, std:
     auto const named = named_column(column);
     auto dimension = dimension_of(named);
     auto const heard = [&](Dimension of) {
-        Claims claims(of);
-        claims.expect_counts();
-        claims.take(rows.text(), 0);
-        return claims;
+        TextStatements statements(of);
+        statements.expect_counts();
+        statements.take(rows.text(), 0);
+        return statements;
     };
     if (dimension == Dimension::none && named.unit.empty()) {  // "IM" below "intensities in g"
         dimension = heard(Dimension::velocity).unit() ? Dimension::velocity : Dimension::acceleration;
     }
-    auto const claims = heard(dimension);
-    claims.check_unit_of(column, file);
+    auto const statements = heard(dimension);
+    statements.check_unit_of(column, file);
     auto const own = dimension == Dimension::none ? std::nullopt : unit_spelled(named.unit, dimension);
-    auto const unit = claims.unit_beside(own, {}, {file, rows.header_line()});
-    if (named.unit.empty() && !unit && !claims.doubt().empty()) {
+    auto const unit = statements.unit_beside(own, {}, {file, rows.header_line()});
+    if (named.unit.empty() && !unit && !statements.doubt().empty()) {
         throw InputError(
             {file, rows.header_line()},
-            fmt::format("unit of '{}' missing ({}). Write for example '{} [g]'", column, claims.doubt(), column));
+            fmt::format("unit of '{}' missing ({}). Write for example '{} [g]'", column, statements.doubt(), column));
     }
-    return {named.unit.empty() && unit ? name_of_unit(*unit, dimension) : std::string(named.unit), claims.unread()};
+    return {named.unit.empty() && unit ? name_of_unit(*unit, dimension) : std::string(named.unit), statements.unread()};
 }
 
 }  // namespace overturn::cli

@@ -12,8 +12,8 @@
 #include "core/error.hpp"
 #include "core/units.hpp"
 #include "motion/cell_rows.hpp"
-#include "motion/claims.hpp"
 #include "motion/text_lines.hpp"
+#include "motion/text_statements.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -47,7 +47,7 @@ class Reader {
         for (std::size_t w = 0; w < waves; ++w) {
             outcomes_.records.push_back(spec.source->name(plan.wave_id(w)));
         }
-        told_.resize(waves);
+        given_.resize(waves);
         outcomes_.motions.resize(waves);
     }
 
@@ -61,9 +61,9 @@ class Reader {
         if (!any) {
             rows_.fail("no test (a header alone). Add a row for each wave tested");
         }
-        Claims claims(Dimension::none);
-        claims.take(rows_.text(), 0);
-        outcomes_.unread = claims.unread();
+        TextStatements statements(Dimension::none);
+        statements.take(rows_.text(), 0);
+        outcomes_.unread = statements.unread();
         return std::move(outcomes_);
     }
 
@@ -111,16 +111,16 @@ class Reader {
             }
         }
         outcomes_.specimens.push_back(
-            {std::string(cell.text), std::move(bodies), std::vector<Outcome>(told_.size(), Outcome::untested)});
+            {std::string(cell.text), std::move(bodies), std::vector<Outcome>(given_.size(), Outcome::untested)});
     }
 
     void read_row(std::vector<Cell> const& cells) {
         auto const wave = wave_of(cells[*header_.wave]);
-        if (told_[wave]) {
+        if (given_[wave]) {
             rows_.fail(cells[*header_.wave], fmt::format("wave {} twice (a wave is one test). Remove one row",
                                                          in_quotes(cells[*header_.wave].text)));
         }
-        told_[wave] = true;
+        given_[wave] = true;
         outcomes_.motions[wave] =
             header_.motion ? std::string(cells[*header_.motion].text) : fmt::format("wave {}", wave);
         if (outcomes_.motions[wave].empty()) {
@@ -175,7 +175,7 @@ class Reader {
 
     CellRows rows_;
     CampaignSpec const& spec_;
-    std::vector<bool> told_;  // by wave
+    std::vector<bool> given_;  // by wave
     Header header_;
     Outcomes outcomes_;
 };

@@ -12,7 +12,7 @@
 
 #include "campaign/validated_range.hpp"
 #include "campaign/warnings.hpp"
-#include "cli/assumptions_told.hpp"
+#include "cli/assumptions_text.hpp"
 #include "cli/plan_bodies.hpp"
 #include "cli/plan_ranks.hpp"
 #include "cli/plan_sizes.hpp"

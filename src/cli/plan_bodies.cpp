@@ -83,7 +83,7 @@ std::string friction_text(BodySpec const& body) {
     return compared + (mu < near * slope ? ": rocks and slides at once" : ": rocks before it slides");
 }
 
-// Which side is the weaker one, whose figures V_Ereq and all others are; empty where both are alike.
+// Which side is the weaker one, whose figures V_Ereq and all others are; empty where both are equal.
 std::string placement_text(RigidBody const& body, IntensityUnit const& acceleration,
                            output::ShownVelocity const& unit) {
     std::string text;

@@ -9,7 +9,7 @@
 
 namespace overturn::cli {
 
-/// By a probe, for blocks that are alike and ranks as fast as the one that probed.
+/// By a probe, for equal blocks and ranks as fast as the one that probed.
 struct RankEstimate {
     std::int64_t ranks = 1;
     std::int64_t blocks = 0;

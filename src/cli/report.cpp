@@ -11,7 +11,7 @@
 
 #include "campaign/warnings.hpp"
 #include "campaign/withheld_inputs.hpp"
-#include "cli/assumptions_told.hpp"
+#include "cli/assumptions_text.hpp"
 #include "cli/campaign_hazard.hpp"
 #include "cli/figures.hpp"
 #include "cli/fit_options.hpp"
@@ -135,9 +135,9 @@ void check_places(ReportOptions const& options) {
 // What the page says of the waves in words.
 Json notes_of(CampaignSpec const& spec, Statistics const& statistics) {
     auto notes = Json::array();
-    if (auto const said = output::waves_text(statistics.waves(), spec.source->about().acceptance, spec.confidence);
-        !said.empty()) {
-        notes.push_back(said);
+    if (auto const note = output::waves_text(statistics.waves(), spec.source->about().acceptance, spec.confidence);
+        !note.empty()) {
+        notes.push_back(note);
     }
     for (auto const& line : ends_of_records(spec)) {
         notes.push_back("Record " + line + ".");

@@ -17,18 +17,18 @@ constexpr double degree = pi / 180;
 
 std::string placement_of(BodySpec const& spec) {
     auto const& body = spec.body;
-    std::vector<std::string> said;
+    std::vector<std::string> remarks;
     if (body.slope_rad() != 0) {
-        said.push_back(fmt::format("on ground that falls by {:.3g}° towards +x", body.slope_rad() / degree));
+        remarks.push_back(fmt::format("on ground that falls by {:.3g}° towards +x", body.slope_rad() / degree));
     }
     if (body.offset_m() != 0) {
-        said.push_back(fmt::format("its centre {:.3g} {} off the base's middle, towards +x",
-                                   body.offset_m() / spec.units.length.si, spec.units.length.symbol));
+        remarks.push_back(fmt::format("its centre {:.3g} {} off the base's middle, towards +x",
+                                      body.offset_m() / spec.units.length.si, spec.units.length.symbol));
     }
     if (body.initial_tilt_rad() != 0) {
-        said.push_back(fmt::format("let go at {:.3g}°", body.initial_tilt_rad() / degree));
+        remarks.push_back(fmt::format("let go at {:.3g}°", body.initial_tilt_rad() / degree));
     }
-    auto text = fmt::format("{}: {}.", spec.name, fmt::join(said, "; "));
+    auto text = fmt::format("{}: {}.", spec.name, fmt::join(remarks, "; "));
     if (body.lopsided()) {
         text += fmt::format(
             " It tips at {:.4g}° towards +x and at {:.4g}° towards -x; what the table says is of the weaker side.",

@@ -56,7 +56,7 @@ int rock(RockOptions const& options) {
              options.body, options.effects, names_of_effects(unable),
              has(unable, Effect::sliding) ? ": it states no friction" : "");
     note_warnings(warnings_of_stated_effects(spec, motion, request));
-    std::vector<std::byte> own(selector.extra_bytes());
+    std::vector<std::byte> extra(selector.extra_bytes());
     SceneTrial const trial{scene, motion, options.scale};
     if (auto const lost = selector.left_out(trial); lost != 0) {
         note_warnings({fmt::format(
@@ -64,9 +64,9 @@ int rock(RockOptions const& options) {
             spec.name, names_of_effects(lost))});
     }
     std::optional<HistoryFile> history;
-    auto response = selector.respond(trial, own);
+    auto response = selector.respond(trial, extra);
     response.verdict = MovementSpec{}.verdict(response, spec.body, spec.friction.has_value(), spec.footing.pad,
-                                              selector.own_value(response, "peak_rise", own));
+                                              selector.extra_value(response, "peak_rise", extra));
     if (!options.history.empty()) {
         history.emplace(options.history);
         selector.show(trial, response, *history);
@@ -81,7 +81,7 @@ int rock(RockOptions const& options) {
         draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual},
                      {{"velocity", options.unit.alone().json()}}, options.plot);
     }
-    output::OneResponse const answer{spec, record, drift_of(motion), response, selector, own};
+    output::OneResponse const answer{spec, record, drift_of(motion), response, selector, extra};
     if (options.json) {
         fmt::print("{}\n", output::json_of(answer).dump(2));
     } else {

@@ -47,8 +47,8 @@ PlacedRecord load_motion(RecordOptions const& options) {
     request.components = config::find_entry(component_choices(), options.components, "--components").value;
     auto const baseline = parse_baseline(options.baseline);
     auto placed = StationFiles(files).read(options.wave, request);
-    if (auto const said = correct_and_tell(placed.motion, baseline); !said.empty()) {
-        placed.says += ", " + said;
+    if (auto const note = correct_and_tell(placed.motion, baseline); !note.empty()) {
+        placed.says += ", " + note;
     }
     if (placed.says != options.wave) {
         print_note("wave: {}\n", placed.says);

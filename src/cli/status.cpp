@@ -140,7 +140,7 @@ struct Unfinished {
           waves(spec, plan),
           committed(cheap && !waves.needs_rows() ? shards.listed({0, plan.blocks()})
                                                  : sound_blocks(shards, plan, {0, plan.blocks()})),
-          under_way(store::Claim::held(shards.folder())) {}
+          under_way(store::BlockLock::held(shards.folder())) {}
 
     CampaignInput input;
     CampaignSpec spec;

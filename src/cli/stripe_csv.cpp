@@ -55,9 +55,9 @@ class Reader {
         }
         std::sort(stripes_.begin(), stripes_.end(),
                   [](Stripe const& a, Stripe const& b) { return a.amplitude < b.amplitude; });
-        auto said = intensity_text(rows_, file_, called_);
-        return {std::move(stripes_), std::move(called_), std::move(measure_), std::move(said.unit),
-                std::move(said.unread)};
+        auto read = intensity_text(rows_, file_, called_);
+        return {std::move(stripes_), std::move(called_), std::move(measure_), std::move(read.unit),
+                std::move(read.unread)};
     }
 
   private:

@@ -36,9 +36,9 @@ enum class Form : unsigned {
 
 /// Value of an absent key.
 struct Default {
-    /// required: nothing is, the key must be there. none: its absence says something. value: what is stated here. said:
-    /// a default that follows from other keys, in words.
-    enum class Kind { required, none, value, said };
+    /// required: nothing is, the key must be there. none: its absence means something. value: what is stated here.
+    /// in_words: a default that follows from other keys, in words.
+    enum class Kind { required, none, value, in_words };
 
     Kind kind = Kind::required;
     std::optional<double> number = {};  ///< [SI]
@@ -71,7 +71,7 @@ struct Key {
 
     [[nodiscard]] constexpr bool takes(Form form) const { return (forms & bit(form)) != 0; }
 
-    /// The key may be left out: its absence says something that no value would.
+    /// The key may be left out: its absence means something that no value would.
     [[nodiscard]] constexpr Key optional() const { return with({.kind = Default::Kind::none}); }
     /// \param value [SI] that stands in for an absent key: a number, a whole number, true or false, or a word
     template <class Value> [[nodiscard]] constexpr Key otherwise(Value const& value) const {
@@ -89,9 +89,9 @@ struct Key {
         }
         return with(made);
     }
-    /// \param said default of an absent key in words, where other keys decide it
-    [[nodiscard]] constexpr Key otherwise_said(std::string_view said) const {
-        return with({.kind = Default::Kind::said, .words = said});
+    /// \param in_words default of an absent key in words, where other keys decide it
+    [[nodiscard]] constexpr Key otherwise_in_words(std::string_view in_words) const {
+        return with({.kind = Default::Kind::in_words, .words = in_words});
     }
     /// \param condition other keys under which this one has a meaning
     [[nodiscard]] constexpr Key only(std::string_view condition) const {

@@ -75,16 +75,16 @@ std::vector<PlacedTable> tables_within(KeyTable const& root) {
 std::string heading_of(PlacedTable const& placed) {
     std::string heading;
     std::string conditions;
-    std::vector<std::string> said;
+    std::vector<std::string> listed;
     for (auto const& [path, is_list, condition] : placed.places) {
         auto const name = is_list ? fmt::format("[[{}]]", path) : fmt::format("[{}]", path);
-        if (!path.empty() && std::ranges::find(said, name) == said.end()) {
+        if (!path.empty() && std::ranges::find(listed, name) == listed.end()) {
             heading += heading.empty() ? name : ", " + name;
-            said.push_back(name);
+            listed.push_back(name);
         }
-        if (!condition.empty() && std::ranges::find(said, condition) == said.end()) {
+        if (!condition.empty() && std::ranges::find(listed, condition) == listed.end()) {
             conditions += conditions.empty() ? condition : " or" + condition.substr(condition.find(" = ") + 2);
-            said.push_back(condition);
+            listed.push_back(condition);
         }
     }
     return conditions.empty() ? heading : fmt::format("{}, where {}", heading, conditions);

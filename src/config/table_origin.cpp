@@ -88,7 +88,7 @@ class OriginReader {
         }
         auto const colon = text->find(':');
         auto const word = std::string(trimmed(std::string_view(*text).substr(0, colon)));
-        Origin origin{.said = &node};
+        Origin origin{.stated_at = &node};
         try {
             origin.basis = find_entry<Basis>(bases, word, "basis").value;
         } catch (InputError const& error) {
@@ -225,9 +225,9 @@ void Table::Node::keep(std::string_view key, toml::node const& value, std::optio
                        Dimension dimension) const {
     auto const origin = origin_of(key);
     bool const by_hand = value.source().begin.line == 0;  // --set, of which the file's word on the value is none
-    bool const said_by_hand = origin.said != nullptr && origin.said->source().begin.line == 0;
+    bool const stated_by_hand = origin.stated_at != nullptr && origin.stated_at->source().begin.line == 0;
     InputValue kept{ledger_key(key), one_line(value), origin.basis, origin.source};
-    if (by_hand && !said_by_hand) {
+    if (by_hand && !stated_by_hand) {
         kept.basis = Basis::not_stated;
         kept.source = "--set";
     } else if (origin.range != nullptr) {

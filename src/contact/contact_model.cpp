@@ -77,7 +77,7 @@ class ContactModel : public Model {
         return !body.needs_planar_rocking() && (trial.footing->stated || holds) ? mask_of(Effect::contact) : 0;
     }
 
-    [[nodiscard]] Requirement required_of(Trial const& trial, Outcome const* said) const override {
+    [[nodiscard]] Requirement required_of(Trial const& trial, Outcome const* earlier) const override {
         // With friction its points slip one by one, under far less shaking than slides a rigid base.
         auto const contact = mask_of(Effect::contact) | (trial.friction ? mask_of(Effect::sliding) : 0);
         constexpr double wild = 0.3;  // of alpha
@@ -88,16 +88,16 @@ class ContactModel : public Model {
         if (!footing.base.on_corners() && footing.base.shape != BaseShape::polygon) {
             return {contact, of_base};
         }
-        if (said == nullptr || said->verdict == Verdict::failed) {
+        if (earlier == nullptr || earlier->verdict == Verdict::failed) {
             return {};
         }
-        if (said->verdict == Verdict::contact_lost) {
+        if (earlier->verdict == Verdict::contact_lost) {
             return {contact, of_lost_contact};
         }
-        if (footing.stated && said->peak_rotation_ratio >= wild) {
+        if (footing.stated && earlier->peak_rotation_ratio >= wild) {
             return {contact, of_tilt};
         }
-        return crushes(trial, *said) ? Requirement{contact, of_strength} : Requirement{};
+        return crushes(trial, *earlier) ? Requirement{contact, of_strength} : Requirement{};
     }
 
     [[nodiscard]] std::unique_ptr<Checkpoints> run(Batch const& batch) const override {
@@ -147,7 +147,7 @@ class ContactModel : public Model {
     }
 
     // The fastest impact that the energy allows, through corner and effective mass: v sqrt(k m_e).
-    [[nodiscard]] static bool crushes(Trial const& trial, Outcome const& said) {
+    [[nodiscard]] static bool crushes(Trial const& trial, Outcome const& earlier) {
         auto const& footing = *trial.footing;
         if (!footing.pad.strength_pa || footing.base.shape == BaseShape::polygon) {
             return false;
@@ -158,7 +158,8 @@ class ContactModel : public Model {
         auto const& body = *trial.body;
         auto const block = contact_block(body, footing.base, footing.pad, {});
         double const b = block.half_width_m;
-        double const spin = body.p_radps() * std::sqrt(2 * said.peak_energy_ratio * (1 - std::cos(body.alpha_rad())));
+        double const spin =
+            body.p_radps() * std::sqrt(2 * earlier.peak_energy_ratio * (1 - std::cos(body.alpha_rad())));
         double const mass_share = 1 / (1 + b * b / block.inertia_over_mass_m2);
         double const w = block.vertical_radps();
         double const stiffness = block.points.front().stiffness_share * w * w;

@@ -17,7 +17,7 @@ namespace overturn::contact {
 
 /// At rest, shaken, then running out. \tparam Derived has fallen, calm (until the next sample), hold,
 /// show_sample and wake, and names in shaken_by what its lanes hold of the shaking \tparam Field what its lanes hold of
-/// the body: the place in the wave, the steps and the law are named alike
+/// the body: the place in the wave, the steps and the law have the same names
 template <class Derived, class Field, class Spot, class Lane> class PointRun {
   public:
     /// On to where lanes can step. \return false once the trial is over

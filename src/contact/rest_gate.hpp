@@ -1,6 +1,6 @@
 /// Conditions under which a quiet body on points may be held at rest, in the plane and in space: each share is of the
 /// value that would move it. All are empirical: how results change with each was not measured. A test in space compares
-/// held bodies with followed ones: they end alike, with peaks within 1e-3 (tests/spatial/reference_test.cpp).
+/// held bodies with followed ones: they end the same way, with peaks within 1e-3 (tests/spatial/reference_test.cpp).
 #pragma once
 
 namespace overturn::contact {

@@ -85,8 +85,8 @@ struct Scenes {
 
     /// Models beyond the rigid one may matter.
     [[nodiscard]] bool yields() const { return footing || transverse; }
-    /// All that can be simulated can be forced on every body alike.
-    [[nodiscard]] bool alike() const { return friction || !some_friction; }
+    /// All that can be simulated can be forced on every body.
+    [[nodiscard]] bool with_one_friction() const { return friction || !some_friction; }
     /// All that can act in the plane, on points, and in space.
     [[nodiscard]] EffectMask rigid() const {
         return (vertical ? mask_of(Effect::vertical) : 0) | (friction ? mask_of(Effect::sliding) : 0);
@@ -117,8 +117,9 @@ Scenes scenes_of(CampaignSpec const& spec) {
 
 Knob effects_knob(CampaignSpec const& spec, Scenes const& scenes) {
     Knob knob{"effects",
-              scenes.yields() && scenes.alike() ? "effects, model by model, against all that can be simulated"
-                                                : "effects, model by model",
+              scenes.yields() && scenes.with_one_friction()
+                  ? "effects, model by model, against all that can be simulated"
+                  : "effects, model by model",
               peak_error,
               "trial",
               Acts::trials,
@@ -134,10 +135,10 @@ Knob effects_knob(CampaignSpec const& spec, Scenes const& scenes) {
     if (scenes.vertical && scenes.friction) {
         forced.push_back(scenes.rigid());
     }
-    if (scenes.yields() && scenes.alike() && !scenes.polygon) {
+    if (scenes.yields() && scenes.with_one_friction() && !scenes.polygon) {
         forced.push_back(scenes.on_points());
     }
-    if (scenes.transverse && scenes.alike()) {
+    if (scenes.transverse && scenes.with_one_friction()) {
         forced.push_back(scenes.in_space());
     }
     std::vector<EffectRequest> requests{{EffectMode::none, 0}};
@@ -335,7 +336,7 @@ std::vector<std::string> effects_reference_settings(CampaignSpec const& spec) {
     auto settings = reference_settings();
     leave_limits_out(settings, spec);
     auto const scenes = scenes_of(spec);
-    EffectRequest const all{scenes.yields() && scenes.alike() ? EffectMode::forced : EffectMode::automatic,
+    EffectRequest const all{scenes.yields() && scenes.with_one_friction() ? EffectMode::forced : EffectMode::automatic,
                             scenes.all()};
     settings.push_back(effects_setting(all).settings.front());
     return settings;

@@ -22,7 +22,7 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
         }
     }
     std::ranges::transform(waves, std::back_inserter(groups_),
-                           [&](PreparedWave const& wave) { return wave.number / spec.source->about().waves_alike; });
+                           [&](PreparedWave const& wave) { return wave.number / spec.source->about().waves_per_draw; });
     std::size_t const together = waves_together(plan);
     auto const each = selector.extra_bytes();
     std::size_t const per_wave = plan.trials_per_wave();
@@ -32,8 +32,8 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
         append_trials(spec, plan, waves.subspan(first, std::min(together, waves.size() - first)), trials, ignored);
         for (std::size_t t = 0; t < trials.rows.size(); ++t) {
             auto const& row = trials.rows[t];
-            auto const own = std::span<std::byte const>(trials.extra).subspan(t * each, each);
-            levels_.at(row.amplitude)[row.body][first + t / per_wave] = judge.judge(row, own);
+            auto const extra = std::span<std::byte const>(trials.extra).subspan(t * each, each);
+            levels_.at(row.amplitude)[row.body][first + t / per_wave] = judge.judge(row, extra);
         }
     }
 }

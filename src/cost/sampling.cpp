@@ -34,7 +34,7 @@ double width_at(Stripe const& stripe, double share, double confidence) {
     };
     auto const decided = scaled(stripe.decided());
     auto const overturned = std::min(scaled(stripe.overturned), decided);
-    return width_of(clopper_pearson_of_groups(overturned, overturned, decided, stripe.alike, confidence));
+    return width_of(clopper_pearson_of_groups(overturned, overturned, decided, stripe.group_size, confidence));
 }
 
 }  // namespace

@@ -26,10 +26,10 @@ constexpr std::uint64_t bootstrap_stream = 0x5E45;  // of draws that nothing els
 
 // How often each wave of the sample is drawn in every replicate; waves that share a target come together.
 std::vector<std::vector<double>> drawn_weights(CampaignSpec const& spec, std::span<std::int64_t const> numbers) {
-    std::int64_t const alike = spec.source->about().waves_alike;
+    std::int64_t const group_size = spec.source->about().waves_per_draw;
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (i == 0 || numbers[i] / alike != numbers[i - 1] / alike) {
+        if (i == 0 || numbers[i] / group_size != numbers[i - 1] / group_size) {
             groups.emplace_back();
         }
         groups.back().push_back(i);

@@ -11,7 +11,7 @@
 
 namespace overturn::cost {
 
-/// Differences over the larger value, of trials that end alike and have the quantity.
+/// Differences over the larger value, of trials that end the same way and have the quantity.
 struct QuantityError {
     std::string name, units;
     Spread step;      ///< from the campaign's steps to half of them

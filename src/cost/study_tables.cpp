@@ -126,9 +126,10 @@ Table setting_table(KnobResult const& of) {
 Table step_error_table(StepError const& error) {
     TableOf<QuantityError> table({.name = "step_error", .group = "step_error"}, error.quantities);
     table.add("quantity", "1", "quantity that a limit state may use", mem_fn(&QuantityError::name));
-    add_spread(table, "step", "relative difference that half the step makes, of trials that end alike",
+    add_spread(table, "step", "relative difference that half the step makes, of trials that end the same way",
                &QuantityError::step);
-    add_spread(table, "last_bit", "relative difference that a last bit of the motion makes, of trials that end alike",
+    add_spread(table, "last_bit",
+               "relative difference that a last bit of the motion makes, of trials that end the same way",
                &QuantityError::rounding);
     return table.take();
 }

@@ -79,9 +79,9 @@ class Model {
     [[nodiscard]] virtual ModelTraits const& traits() const = 0;
     /// Effects that this model adds and that such a trial can have at all. Default: all.
     [[nodiscard]] virtual EffectMask possible(Trial const& trial) const;
-    /// Effects that this model adds and that would act on a trial. \param said outcome of a cheaper model that ran;
+    /// Effects that this model adds and that would act on a trial. \param earlier outcome of a cheaper model that ran;
     /// null: none ran yet. Default: the effects that this outcome itself requires.
-    [[nodiscard]] virtual Requirement required_of(Trial const& trial, Outcome const* said) const;
+    [[nodiscard]] virtual Requirement required_of(Trial const& trial, Outcome const* earlier) const;
     /// Fills the batch's outcomes. Where the trials' order or company changes, no bit does.
     [[nodiscard]] virtual std::unique_ptr<Checkpoints> run(Batch const& batch) const = 0;
 };

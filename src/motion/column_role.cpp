@@ -9,9 +9,9 @@
 
 #include "core/digit.hpp"
 #include "motion/column_unit.hpp"
-#include "motion/detail/claimed_unit.hpp"
 #include "motion/detail/quantity_words.hpp"
 #include "motion/detail/time_words.hpp"
+#include "motion/detail/unit_in_text.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -229,8 +229,8 @@ ColumnRole column_role(std::string_view name) {
     bool const unit_alone = trimmed(outside).empty() && !brackets.empty();
     auto const words = unit_alone ? Quantity::unknown : quantity_in_name(outside);
     role.component = component_in(name);
-    bool const told_by_word = words == Quantity::spectrum || words == Quantity::hazard || words == Quantity::index;
-    role.quantity = unit.quantity == Quantity::unknown || told_by_word ? words : unit.quantity;
+    bool const by_word = words == Quantity::spectrum || words == Quantity::hazard || words == Quantity::index;
+    role.quantity = unit.quantity == Quantity::unknown || by_word ? words : unit.quantity;
     role.unit =
         unit.quantity == role.quantity && unit.quantity != Quantity::unknown ? std::optional(unit.si) : std::nullopt;
     // A word that says one quantity beside the unit of another: neither is to be trusted.

@@ -34,7 +34,7 @@ struct ColumnRole {
     std::optional<double> unit = {};  ///< SI value of one unit, of the quantity's dimension
     std::string unknown_unit = {};    ///< text in brackets that is no known unit
 
-    [[nodiscard]] bool said() const {
+    [[nodiscard]] bool is_known() const {
         return quantity != Quantity::unknown || component.direction != Direction::unknown;
     }
 };

@@ -34,7 +34,7 @@ struct Head {
     double peak = 0;  ///< in the file's unit, with its sign
     Location peak_line;
     std::vector<double> numbers;
-    double said_step_s = 0;  ///< 0: no line says it
+    double stated_step_s = 0;  ///< 0: no line states it
     Location step_line;
 };
 
@@ -75,8 +75,8 @@ Head read_head(std::string_view first, TextLines& lines, std::string const& file
         auto const line = trimmed(lines.next().value_or(""));
         auto const lower = lowered(line);
         Location const where{file, lines.number()};
-        if (auto const step_s = step_in_line(lower); step_s > 0 && head.said_step_s == 0) {
-            head.said_step_s = step_s;
+        if (auto const step_s = step_in_line(lower); step_s > 0 && head.stated_step_s == 0) {
+            head.stated_step_s = step_s;
             head.step_line = where;
         }
         if (lower.starts_with("component ")) {
@@ -107,12 +107,12 @@ std::size_t count_at(Head const& head, std::size_t number, Location const& where
 double step_of(Head const& head, Location const& where) {
     double const numbered = head.numbers[head.raw ? raw_step : step];
     constexpr double printed = 1e-2;
-    if (numbered > 0 && head.said_step_s > 0 && std::abs(numbered - head.said_step_s) > printed * numbered) {
+    if (numbered > 0 && head.stated_step_s > 0 && std::abs(numbered - head.stated_step_s) > printed * numbered) {
         throw InputError(head.step_line, fmt::format("time step of {} s, {} s in the numbers that end at line {} (they "
                                                      "contradict each other). Fetch the file anew",
-                                                     head.said_step_s, numbered, where.line));
+                                                     head.stated_step_s, numbered, where.line));
     }
-    return numbered > 0 ? numbered : head.said_step_s;
+    return numbered > 0 ? numbered : head.stated_step_s;
 }
 
 void read_component(std::string_view first, TextLines& lines, RecordRequest const& request, Recording& recording) {

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "core/units.hpp"
-#include "motion/claims.hpp"
 #include "motion/column_unit.hpp"
-#include "motion/detail/claim_words.hpp"
 #include "motion/detail/record_readers.hpp"
+#include "motion/detail/statement_words.hpp"
 #include "motion/text_lines.hpp"
+#include "motion/text_statements.hpp"
 
 namespace overturn {
 namespace {
@@ -99,12 +99,12 @@ void take_unit(double si, std::string_view line, Location const& where, std::opt
 
 /// "Accelaration time series in m/s/s", "Unit : m/s2": what the values are. \throws InputError if they are none
 /// of accelerations, or in a unit that is not known or not the stated one
-void take_claim(std::string_view line, Location const& where, RecordRequest const& request, Header& header) {
-    Claims claims;
-    claims.take(line, where.line);
-    claims.check(request);
-    claims.check_unit_is_known(request.name);
-    if (auto const si = claims.unit()) {
+void take_statement(std::string_view line, Location const& where, RecordRequest const& request, Header& header) {
+    TextStatements statements;
+    statements.take(line, where.line);
+    statements.check(request);
+    statements.check_unit_is_known(request.name);
+    if (auto const si = statements.unit()) {
         take_unit(*si, line, where, header.unit ? header.unit : header.peak_unit, header.unit);
     }
 }
@@ -142,7 +142,7 @@ void take(std::string_view line, Location const& where, RecordRequest const& req
     auto const key = lowered(trimmed(line.substr(0, colon)));
     auto const value = trimmed(line.substr(colon + 1));
     if (colon == std::string_view::npos || key.starts_with("unit") || holds(key, "time series")) {
-        take_claim(line, where, request, header);
+        take_statement(line, where, request, header);
     } else if (key.starts_with("pgv") || key.starts_with("pgd")) {
         header.other = key[2] == 'v' ? "velocities" : "displacements";
         header.other_line = where;
@@ -170,13 +170,13 @@ double unit_of(Header const& header, RecordRequest const& request, Location cons
                                      "the same record",
                                      header.other));
     }
-    auto const& said = header.unit ? header.unit : header.peak_unit;
-    if (said) {
-        check_stated_unit(request, said->si, where);
+    auto const& stated = header.unit ? header.unit : header.peak_unit;
+    if (stated) {
+        check_stated_unit(request, stated->si, where);
     } else if (!request.unit_mps2) {
         refuse_without_unit(where, "the header does not say it", request);
     }
-    return said ? said->si : *request.unit_mps2;
+    return stated ? stated->si : *request.unit_mps2;
 }
 
 }  // namespace

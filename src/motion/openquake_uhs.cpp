@@ -66,8 +66,8 @@ std::optional<std::string> uniform_hazard_of_openquake(std::string_view content,
     auto line = lines.next();
     std::string kind;
     while (line && (trimmed(*line).empty() || line->starts_with('#'))) {
-        auto const said = behind_key(*line, "kind=");
-        kind = said.empty() || said == "mean" ? kind : fmt::format("# kind {}, not mean\n", said);
+        auto const stated = behind_key(*line, "kind=");
+        kind = stated.empty() || stated == "mean" ? kind : fmt::format("# kind {}, not mean\n", stated);
         line = lines.next();
     }
     auto const columns = columns_of(cells_of(line.value_or("")));

@@ -41,8 +41,8 @@ void state_unit(RecordRequest& request, std::string_view text);
 /// a file, does not state it, or its format has several components to a file anyway.
 [[nodiscard]] std::string station_of_record(std::string_view head);
 
-/// A table under a head of its own: how it is recognised, and what its head leaves unsaid. Everything else are claims
-/// that any table's text makes.
+/// A table under a head of its own: how it is recognised, and what its head leaves unsaid. Everything else are
+/// statements that any table's text makes.
 struct TableFormat {
     std::array<std::string_view, 3> marks;  ///< in lower case: all stand in the first lines of text; "" counts not
     double unit_mps2 = 0;                   ///< of all files of the format [m/s2]; 0: their text says it

@@ -46,12 +46,12 @@ RecordComponent taken(Recording& recording, std::string_view name, Location cons
                                    [&](RecordComponent const& c) { return plain(c.name) == plain(name); });
     if (at == recording.components.end()) {
         auto const wanted = component_named(name);
-        auto const alike = [&](RecordComponent const& c) {
+        auto const same = [&](RecordComponent const& c) {
             auto const own = component_in(c.name);
             return own.direction != Direction::unknown && own.direction == wanted.direction && own.axis == wanted.axis;
         };
-        bool const one = std::ranges::count_if(recording.components, alike) == 1;
-        at = one ? std::ranges::find_if(recording.components, alike) : at;
+        bool const one = std::ranges::count_if(recording.components, same) == 1;
+        at = one ? std::ranges::find_if(recording.components, same) : at;
     }
     if (at == recording.components.end()) {
         auto const names = names_of(recording);
@@ -140,7 +140,7 @@ PlacedRecord place(Recording recording, std::string_view first, ComponentChoice 
     placed.motion.time_step_s = recording.time_step_s;
     placed.format = recording.format;
     placed.unit_mps2 = recording.unit_mps2;
-    placed.claims = std::move(recording.claims);
+    placed.statements = std::move(recording.statements);
     placed.unread = std::move(recording.unread);
     bool const single = recording.components.size() == 1;
     auto const names = names_of(recording);

@@ -23,10 +23,10 @@ struct RecordComponent {
 struct Recording {
     double time_step_s = 0;  ///< [s]
     std::vector<RecordComponent> components;
-    double unit_mps2 = 0;                  ///< what one unit of the file's numbers was taken for [m/s2]
-    std::string format = {};               ///< as which it was read: a name of record_formats()
-    std::vector<std::string> claims = {};  ///< what the file's text says and is used: "line 3: gal"
-    std::vector<std::string> unread = {};  ///< its lines of text that are not understood
+    double unit_mps2 = 0;                      ///< what one unit of the file's numbers was taken for [m/s2]
+    std::string format = {};                   ///< as which it was read: a name of record_formats()
+    std::vector<std::string> statements = {};  ///< what the file's text says and is used: "line 3: gal"
+    std::vector<std::string> unread = {};      ///< its lines of text that are not understood
 };
 
 /// Components of a file that become part of the motion.
@@ -47,7 +47,7 @@ struct PlacedRecord {
     std::vector<std::string> components = {};  ///< their names: horizontal, transverse, vertical, as far as present
     std::string format = {};                   ///< as which the file was read
     double unit_mps2 = 0;                      ///< what one unit of its numbers was taken for [m/s2]
-    std::vector<std::string> claims = {};      ///< as those of Recording
+    std::vector<std::string> statements = {};  ///< as those of Recording
     std::vector<std::string> unread = {};
 
     /// "knet, NS, gal, 0.01 s, 6000 samples, 59.99 s": what a reader can be checked by.

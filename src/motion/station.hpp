@@ -19,7 +19,7 @@ class StationFiles {
     /// its station and event in the same folder: files of the same format whose headers name the same station, event
     /// and time. They must have the same time step; what is longer is cut. PlacedRecord::says names every file used.
     /// \throws InputError as read_recording and place; if the file does not say its station, is a vertical one, stands
-    /// alone, or two files claim one direction
+    /// alone, or two files state one direction
     [[nodiscard]] PlacedRecord read(std::string const& name, RecordRequest request);
 
   private:

@@ -9,9 +9,8 @@
 
 #include <fmt/ranges.h>
 
-#include "motion/claims.hpp"
 #include "motion/column_unit.hpp"
-#include "motion/detail/claimed_columns.hpp"
+#include "motion/detail/columns_by_text.hpp"
 #include "motion/detail/component_mapping.hpp"
 #include "motion/detail/list_head.hpp"
 #include "motion/detail/motion_look.hpp"
@@ -22,6 +21,7 @@
 #include "motion/operators_in_name.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
+#include "motion/text_statements.hpp"
 #include "motion/text_table.hpp"
 
 namespace overturn {
@@ -42,8 +42,8 @@ void check_suffix_g(TableColumns const& columns, RecordRequest const& request, L
     }
 }
 
-/// Of all accelerations, in the unit that their names or the text claim, or that is stated. [m/s2]
-double unit_of(TextTable const& table, TableColumns const& columns, Claims const& claims,
+/// Of all accelerations, in the unit that their names or the text state, or that is stated. [m/s2]
+double unit_of(TextTable const& table, TableColumns const& columns, TextStatements const& statements,
                RecordRequest const& request) {
     std::optional<double> named;
     Location const names{request.name, columns.names_line};
@@ -64,13 +64,13 @@ double unit_of(TextTable const& table, TableColumns const& columns, Claims const
         named = role.unit ? role.unit : named;
     }
     if (!named) {
-        claims.check_unit_is_known(request.name);
+        statements.check_unit_is_known(request.name);
         check_suffix_g(columns, request, names);
     }
-    auto const unit = claims.unit_beside(named, request.unit_mps2, names, request.unit_conflict);
+    auto const unit = statements.unit_beside(named, request.unit_mps2, names, request.unit_conflict);
     if (!unit) {
         refuse_without_unit({request.name, table.line[0]},
-                            claims.doubt().empty() ? "neither names nor text say it" : claims.doubt(), request);
+                            statements.doubt().empty() ? "neither names nor text say it" : statements.doubt(), request);
     }
     return *unit;
 }
@@ -85,7 +85,8 @@ void time_in_seconds(TextTable& table, std::size_t column, std::optional<double>
     table.digits.at(column).decimals -= static_cast<int>(std::lround(std::log10(*unit)));
 }
 
-double step_of(TextTable& table, TableColumns const& columns, Claims const& claims, RecordRequest const& request) {
+double step_of(TextTable& table, TableColumns const& columns, TextStatements const& statements,
+               RecordRequest const& request) {
     Location const start{request.name, table.line[0]};
     if (columns.time) {
         if (*columns.time >= TextTable::looked_at) {
@@ -93,12 +94,12 @@ double step_of(TextTable& table, TableColumns const& columns, Claims const& clai
                                                 "first",
                                                 *columns.time + 1));
         }
-        auto const unit = unit_of_times(columns, claims, request.name);
+        auto const unit = unit_of_times(columns, statements, request.name);
         time_in_seconds(table, *columns.time, unit);
         auto const step = time_step_of(table, *columns.time, request);
-        claims.check_times(step, request.name);
+        statements.check_times(step, request.name);
         check_pair_above(table, step, request.name);
-        return claims.time_step_s().value_or(step);  // times are printed to fewer digits than a rate
+        return statements.time_step_s().value_or(step);  // times are printed to fewer digits than a rate
     }
     auto const beside_count = step_beside_count(table, request.name);
     if (beside_count) {
@@ -106,43 +107,44 @@ double step_of(TextTable& table, TableColumns const& columns, Claims const& clai
         own.may_be_resampled = false;
         check_stated_time_step(own, *beside_count, {request.name, table.head.back().number});
     }
-    auto const claimed = beside_count ? beside_count : claims.time_step_s();
-    if (!claimed && !request.time_step_s) {
+    auto const in_text = beside_count ? beside_count : statements.time_step_s();
+    if (!in_text && !request.time_step_s) {
         throw InputError(start,
                          "time step missing (no column of times, and no line says it). State the time step, or "
                          "put a time column first");
     }
-    return claimed.value_or(request.time_step_s.value_or(0));
+    return in_text.value_or(request.time_step_s.value_or(0));
 }
 
-void account_for(TextTable const& table, TableColumns const& columns, Claims const& claims, Recording& recording) {
-    recording.claims = claims.used();
+void account_for(TextTable const& table, TableColumns const& columns, TextStatements const& statements,
+                 Recording& recording) {
+    recording.statements = statements.used();
     if (auto const pair = pair_above(table); !pair.empty()) {
-        recording.claims.push_back(
+        recording.statements.push_back(
             fmt::format("line {}: {:.0f} samples, {:.6g} s", table.head.back().number, pair[0], pair[1]));
     }
     if (!columns.left_out.empty()) {
-        recording.claims.push_back(fmt::format("left out: {}", fmt::join(columns.left_out, ", ")));
+        recording.statements.push_back(fmt::format("left out: {}", fmt::join(columns.left_out, ", ")));
     }
-    recording.unread = claims.unread();
-    tell_mapped(columns, recording.claims, recording.unread);
+    recording.unread = statements.unread();
+    tell_mapped(columns, recording.statements, recording.unread);
     auto const names = telling_names(columns);
     recording.unread.insert(recording.unread.begin(), names.begin(), names.end());
-    auto const other = claims.beside_names();
+    auto const other = statements.beside_names();
     if (!other.empty() && std::ranges::find(recording.unread, other) == recording.unread.end()) {
         recording.unread.insert(recording.unread.begin(), other);
     }
 }
 
 // Behind account_for.
-void check_peaks(Recording& recording, TableColumns const& columns, Claims const& claims,
+void check_peaks(Recording& recording, TableColumns const& columns, TextStatements const& statements,
                  RecordRequest const& request) {
     std::vector<double> peaks;
     bool const whole = !request.by_place && (!columns.stated || columns.left_out.empty());
     for (auto const& component : recording.components) {
         peaks.push_back(peak_of(component.acceleration_mps2));
     }
-    std::ranges::move(claims.check_peaks(peaks, recording.unit_mps2, request.name, whole),
+    std::ranges::move(statements.check_peaks(peaks, recording.unit_mps2, request.name, whole),
                       std::back_inserter(recording.unread));
 }
 
@@ -152,7 +154,7 @@ bool has_times_first(TextTable const& table) {
 }
 
 Recording list_of(TextTable& table, TableColumns columns, RecordRequest const& request) {
-    auto const claims = claims_of(table, columns);
+    auto const statements = statements_of(table, columns);
     Location const start{request.name, table.line[0]};
     check_name_of_list(table, request.name);
     check_first_of_list(table, request);
@@ -161,50 +163,50 @@ Recording list_of(TextTable& table, TableColumns columns, RecordRequest const& r
                          "first values that rise in equal steps (a time column, not a list). "
                          "Keep time,a_horizontal[,a_transverse][,a_vertical], with their names");
     }
-    claims.check(request);
+    statements.check(request);
     std::array const counts{table.values()};
-    claims.check_count(counts, request.name);
-    ColumnRole role{claims.components().size() == 1 ? claims.components().front() : std::string()};
+    statements.check_count(counts, request.name);
+    ColumnRole role{statements.components().size() == 1 ? statements.components().front() : std::string()};
     role.component = component_named(role.name);
     columns.motions = {{0, role}};
-    take_claimed_component(columns, claims, request.name, how_to_state(request, 1));
+    take_stated_component(columns, statements, request.name, how_to_state(request, 1));
     Recording recording;
-    recording.unit_mps2 = unit_of(table, columns, claims, request);
-    recording.time_step_s = step_of(table, columns, claims, request);
+    recording.unit_mps2 = unit_of(table, columns, statements, request);
+    recording.time_step_s = step_of(table, columns, statements, request);
     for (std::size_t i = 0; i < table.columns(); ++i) {
         check_gaps(table, i, request);
     }
     check_are_packed(table, request);
     auto values = table.columns() == 1 ? std::move(table.column[0]) : table.in_rows();
-    check_look(values, role, 1, claims, request, start);
+    check_look(values, role, 1, statements, request, start);
     for (double& value : values) {
         value *= recording.unit_mps2;
     }
     recording.components.push_back({role.name, role.component.direction, std::move(values)});
-    account_for(table, columns, claims, recording);
-    check_peaks(recording, columns, claims, request);
+    account_for(table, columns, statements, recording);
+    check_peaks(recording, columns, statements, request);
     return recording;
 }
 
 Recording columns_of(TextTable& table, TableColumns columns, RecordRequest const& request) {
-    auto const claims = claims_of(table, columns);
-    place_columns(table, claims, request, columns);
-    claims.check(request);
+    auto const statements = statements_of(table, columns);
+    place_columns(table, statements, request, columns);
+    statements.check(request);
     std::array const counts{table.line.size(), table.line.size() * columns.motions.size()};
-    claims.check_count(counts, request.name);
+    statements.check_count(counts, request.name);
     Recording recording;
-    recording.unit_mps2 = unit_of(table, columns, claims, request);
-    recording.time_step_s = step_of(table, columns, claims, request);
+    recording.unit_mps2 = unit_of(table, columns, statements, request);
+    recording.time_step_s = step_of(table, columns, statements, request);
     for (auto& [column, role] : columns.motions) {
         check_gaps(table, column, request);
-        check_look(table.column[column], role, table.columns(), claims, request, {request.name, table.line[0]});
+        check_look(table.column[column], role, table.columns(), statements, request, {request.name, table.line[0]});
         for (double& value : table.column[column]) {
             value *= recording.unit_mps2;
         }
         recording.components.push_back({role.name, role.component.direction, std::move(table.column[column])});
     }
-    account_for(table, columns, claims, recording);
-    check_peaks(recording, columns, claims, request);
+    account_for(table, columns, statements, recording);
+    check_peaks(recording, columns, statements, request);
     return recording;
 }
 

@@ -125,7 +125,7 @@ class Reader {
             return;
         }
         if (row.decimal_comma) {
-            throw InputError(where_, decimal_comma_said(line));
+            throw InputError(where_, decimal_comma_text(line));
         }
         if (ended_) {
             throw InputError(where_, "numbers behind the end of the data (which ones count?). Keep one block");

@@ -146,7 +146,7 @@ class SheetMaker {
         auto const& counted = of_.statistics.bodies()[b];
         auto const limits = detail == Detail::overturning ? 1 : of_.spec.limits.size();
         for (std::size_t limit = 0; limit < limits; ++limit) {
-            auto const said = said_name(of_.spec.limits[limit], of_.spec.limits);
+            auto const said = full_name(of_.spec.limits[limit], of_.spec.limits);
             add_row(limit == 0 ? body.body : "",
                     too_few_     ? (limit == 0 ? "overturned" : said)
                     : limit == 0 ? "P(overturn)"

@@ -47,9 +47,10 @@ Table criterion_table(std::string const& body, std::span<MeasuredCriterion const
     add_share(table, "false_safe_share", "overturned, of trials predicted safe", share(&S::safe_but_overturned));
     add_share(table, "false_safe_share_uplifted", "overturned, of trials predicted safe that uplifted",
               share(&S::safe_uplifted_but_overturned));
-    add_share(table, "missed_share", "predicted safe, of trials that overturned", share(&S::overturned_said_safe));
+    add_share(table, "missed_share", "predicted safe, of trials that overturned", share(&S::overturned_predicted_safe));
     add_share(table, "false_alarm_share", "stood, of trials predicted unsafe", share(&S::unsafe_but_stood));
-    add_share(table, "alarm_share_standing", "predicted unsafe, of trials that stood", share(&S::stood_said_unsafe));
+    add_share(table, "alarm_share_standing", "predicted unsafe, of trials that stood",
+              share(&S::stood_predicted_unsafe));
     add_share(table, "false_safe_share_waves", "with a false-safe trial, of waves with a trial predicted safe",
               share(&S::waves_safe_but_overturned));
     add_share(table, "false_safe_share_waves_uplifted",
@@ -85,7 +86,7 @@ Table limit_table(CampaignSpec const& spec) {
     TableOf<LimitState> table({.name = "limit_states", .group = "limit_states"}, spec.limits);
     table.add("name", "1", "limit state", [](LimitState const& limit) { return limit.name; })
         .add("said", "1", "name in printed lines; with \"without overturning\" if overturning alone does not count",
-             [&](LimitState const& limit) { return said_name(limit, spec.limits); })
+             [&](LimitState const& limit) { return full_name(limit, spec.limits); })
         .add("definition", "1", "condition that a trial must meet to exceed the limit",
              [&](LimitState const& limit) { return definition_of(limit, spec.limits); })
         .add("quantity", "1", "response compared with the threshold; empty: none",

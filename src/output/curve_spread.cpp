@@ -19,22 +19,22 @@ double stated_r(CurveSpread const& of) { return of.beta_r_stated ? of.beta_r : n
 double drawn_u(CurveSpread const& of) { return of.beta_u > 0 && !of.beta_u_stated ? of.beta_u : not_asked; }
 double stated_u(CurveSpread const& of) { return of.beta_u_stated ? of.beta_u : not_asked; }
 
-std::string waves_said(CurveSpread const& spread, double value) {
+std::string waves_text(CurveSpread const& spread, double value) {
     return fmt::format("{} {:.3g} divides the 5 % point and HCLPF by {:.3g}", spread.beta_u > 0 ? "beta_R" : "beta",
                        value, std::exp(hclpf_score * value));
 }
-std::string unknown_said(CurveSpread const& /*spread*/, double value) {
+std::string unknown_text(CurveSpread const& /*spread*/, double value) {
     return fmt::format("beta_U {:.3g} divides HCLPF by {:.3g}", value, std::exp(hclpf_score * value));
 }
 
 constexpr std::string_view usual = "usual: 0.2 to 0.6";
 constexpr std::string_view as_share = "Check it: 0.4 for 40 %";
 constexpr std::array spread_ranges{
-    UsualRange<CurveSpread>{&found_r, 0, 1, &waves_said, usual,
+    UsualRange<CurveSpread>{&found_r, 0, 1, &waves_text, usual,
                             "Check that the levels' measure is one that overturning hangs on"},
-    UsualRange<CurveSpread>{&stated_r, 0.1, 1, &waves_said, usual, as_share},
-    UsualRange<CurveSpread>{&drawn_u, 0, 1, &unknown_said, usual, "Check the distributions of the body"},
-    UsualRange<CurveSpread>{&stated_u, 0.1, 1, &unknown_said, usual, as_share}};
+    UsualRange<CurveSpread>{&stated_r, 0.1, 1, &waves_text, usual, as_share},
+    UsualRange<CurveSpread>{&drawn_u, 0, 1, &unknown_text, usual, "Check the distributions of the body"},
+    UsualRange<CurveSpread>{&stated_u, 0.1, 1, &unknown_text, usual, as_share}};
 
 }  // namespace
 

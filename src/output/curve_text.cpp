@@ -77,11 +77,11 @@ std::string flags_text(std::vector<MeasuredFragility> const& fits) {
     return text;
 }
 
-// Are there several measures, and did all trials end alike, whatever one draws them over?
-bool end_alike(std::vector<MeasuredFragility> const& fits) {
+// Are there several measures, and did all trials end the same way, whatever one draws them over?
+bool end_the_same_way(std::vector<MeasuredFragility> const& fits) {
     auto const state = fits.front().fit.state;
-    bool const alike = state == FragilityState::none_overturned || state == FragilityState::all_overturned;
-    return alike && fits.size() > 1 && std::ranges::all_of(fits, [&](auto const& m) { return m.fit.state == state; });
+    bool const same = state == FragilityState::none_overturned || state == FragilityState::all_overturned;
+    return same && fits.size() > 1 && std::ranges::all_of(fits, [&](auto const& m) { return m.fit.state == state; });
 }
 
 // What the draws of the body's quantities add, where they were drawn.
@@ -104,8 +104,8 @@ std::string split_line(MeasuredFragility const& m) {
 // Curves of all limit states.
 std::string body_text(BodyAnalysis const& body, double confidence) {
     auto const& levels = body.over_levels().fit;
-    auto const of =
-        levels.alike > 1 ? fmt::format("groups of {:g} waves with the same draw", levels.alike) : std::string("waves");
+    auto const of = levels.group_size > 1 ? fmt::format("groups of {:g} waves with the same draw", levels.group_size)
+                                          : std::string("waves");
     auto text = fmt::format(
         "\n{}: fragility curves from {} {}; confidence intervals by {}\n", body.body, levels.waves, of,
         levels.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap over waves" : "profile likelihood");
@@ -124,7 +124,7 @@ std::string body_text(BodyAnalysis const& body, double confidence) {
 std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence) {
     auto const& first = fits.front().fit;
     std::string text;
-    if (end_alike(fits)) {
+    if (end_the_same_way(fits)) {
         text += fmt::format("  no curve over any measure: {}\n", state_words(first.state, first.passing));
     } else {
         auto const ends = fmt::format("{:g} % interval", 100 * confidence);
@@ -145,7 +145,7 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
             text += quote_line(m, quoted);
         }
     }
-    // What is said of the first, over the levels, mostly holds for the others; their flags stand in their lines.
+    // What is stated of the first, over the levels, mostly holds for the others; their flags stand in their lines.
     for (auto const& warning : warnings_of(fits.front().fit, fits.front().shown_in, confidence)) {
         text += fmt::format("  note: {}\n", warning);
     }

@@ -129,7 +129,7 @@ std::string row_of(BodyFrequency const& f) {
 std::string frequency_name(BodyFrequency const& f) {
     return f.limit == overturning_limit || f.limit.empty()
                ? f.body
-               : fmt::format("{}, {}", f.body, f.said.empty() ? f.limit : f.said);
+               : fmt::format("{}, {}", f.body, f.full_name.empty() ? f.limit : f.full_name);
 }
 
 bool lacks_beta_u(BodyFrequency const& f) { return f.mean && !f.fractiles; }

@@ -126,7 +126,7 @@ std::string headline(Answered const& of, std::size_t b, std::size_t limit) {
         }
     }
     auto const who = limit == 0 ? body.body
-                                : fmt::format("{}, {} ({})", body.body, said_name(stated, of.spec.limits),
+                                : fmt::format("{}, {} ({})", body.body, full_name(stated, of.spec.limits),
                                               definition_of(stated, of.spec.limits));
     return fmt::format("{}: {}.", who, fmt::join(parts, "; "));
 }

@@ -15,7 +15,7 @@ Json record_json(PlacedRecord const& record) {
             {"samples", record.motion.samples()},
             {"duration_s", record.motion.duration_s()},
             {"used", record.says},
-            {"claims", record.claims},
+            {"claims", record.statements},
             {"not_understood", record.unread}};
 }
 
@@ -68,8 +68,8 @@ std::string text_of(PlacedRecord const& record, RecordSpectra const& spectra, Sh
                     std::size_t every) {
     auto const& symbol = unit.symbol;
     auto text = fmt::format("read as {}\n", record.read_as());
-    for (auto const& claim : record.claims) {
-        text += fmt::format("by its text, {}\n", claim);
+    for (auto const& statement : record.statements) {
+        text += fmt::format("by its text, {}\n", statement);
     }
     for (auto const& line : record.unread) {
         text += fmt::format("not understood, {}\n", line);

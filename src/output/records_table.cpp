@@ -46,7 +46,7 @@ std::string nearest_limit(CampaignSpec const& spec, LimitJudge const& judge, Tri
     }
     return which == 0 ? std::string("-")
                       : fmt::format("{} {}", nearness_text(spec.limits[which], most, slip),
-                                    said_name(spec.limits[which], spec.limits));
+                                    full_name(spec.limits[which], spec.limits));
 }
 
 std::string model_name(TrialRow const& row) {

@@ -25,14 +25,14 @@ Json names_json(std::int64_t mask) {
 }
 
 // Quantities that models share are those of the one that ran: the others know nothing of theirs.
-void add_own_json(Json& json, ModelSelector const& selector, std::span<std::byte const> own) {
+void add_extra_json(Json& json, ModelSelector const& selector, std::span<std::byte const> extra) {
     static constexpr std::array matched{"restitution", "corner_share", "normal_restitution"};
     for (auto const& [traits, offset] : selector.extra_parts()) {
         for (auto const& field : traits->fields) {
             auto& place =
                 std::ranges::count(matched, field.name) > 0 ? json["matched"][field.key()] : json[field.key()];
             if (place.is_null()) {
-                place = value_json(own.subspan(offset), field);
+                place = value_json(extra.subspan(offset), field);
             }
         }
     }
@@ -58,7 +58,7 @@ std::string column_text(Field const& field, std::span<std::byte const> values, T
 
 // Of the model that answered: a base on points, a rim or a disc has a restitution of its own.
 double restitution_of(OneResponse const& of) {
-    double const found = of.selector.own_value(of.response, "restitution", of.own);
+    double const found = of.selector.extra_value(of.response, "restitution", of.extra);
     return std::isnan(found) ? of.spec.body.restitution() : found;
 }
 
@@ -110,7 +110,7 @@ std::string columns_text(OneResponse const& of) {
     for (auto const& [traits, offset] : of.selector.extra_parts()) {
         if (traits->number == of.response.model) {
             for (auto const& field : traits->fields) {
-                text += column_text(field, of.own.subspan(offset), of.spec.units);
+                text += column_text(field, of.extra.subspan(offset), of.spec.units);
             }
         }
     }
@@ -120,7 +120,7 @@ std::string columns_text(OneResponse const& of) {
 }  // namespace
 
 Json json_of(OneResponse const& of) {
-    auto const& [spec, record, drift, response, selector, own] = of;
+    auto const& [spec, record, drift, response, selector, extra] = of;
     Json json;
     for (auto const& field : fields_of<Response>()) {
         json[field.key()] = value_json(bytes_of(response), field);
@@ -136,9 +136,9 @@ Json json_of(OneResponse const& of) {
     json["record"] = record_json(record);
     json["residual_velocity_mps"] = drift.end_velocity_mps;
     json["residual_displacement_m"] = drift.end_displacement_m;
-    add_own_json(json, selector, own);
+    add_extra_json(json, selector, extra);
     for (auto const& [traits, offset] : selector.extra_parts()) {
-        auto const of_model = stated_of(traits->fields, own.subspan(offset), spec.units);
+        auto const of_model = stated_of(traits->fields, extra.subspan(offset), spec.units);
         for (auto const& [name, value] : of_model.items()) {
             auto& place = stated[name];
             if (place.is_null() || place["value"].is_null()) {
@@ -151,16 +151,17 @@ Json json_of(OneResponse const& of) {
 }
 
 std::string text_of(OneResponse const& of, ShownVelocity const& unit) {
-    auto const& [spec, record, drift, r, selector, own] = of;
+    auto const& [spec, record, drift, r, selector, extra] = of;
     auto text = fmt::format("verdict          {}\n", entry_of(r.verdict).name);
     if (!std::isnan(r.peak_rotation_rad)) {  // else no model ran it: the error says why
         text += moved_text(of, unit);
     }
     text += body_text(of, unit);
     text += fmt::format("read as          {}\n", record.read_as());
-    for (auto const& claim : record.claims) {
-        if (claim.starts_with("left out: ")) {
-            text += fmt::format("left out         {}\n", claim.substr(claim.find(' ', claim.find(':')) + 1));
+    for (auto const& statement : record.statements) {
+        if (statement.starts_with("left out: ")) {
+            text +=
+                fmt::format("left out         {}\n", statement.substr(statement.find(' ', statement.find(':')) + 1));
         }
     }
     for (auto const& line : record.unread) {

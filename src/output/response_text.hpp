@@ -22,7 +22,7 @@ struct OneResponse {
     Drift drift;
     Response const& response;
     ModelSelector const& selector;
-    std::span<std::byte const> own;  ///< columns of the models' own, as the selector lays them out
+    std::span<std::byte const> extra;  ///< columns of the models' own, as the selector lays them out
 };
 
 /// All columns of a trial [SI], and "stated": those with units in the units of the body's file. What never came is

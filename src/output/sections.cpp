@@ -32,7 +32,7 @@ std::vector<std::string> notes_of(Answered const& of) {
             auto const& curve = body.curves_of(limit).front();
             auto const name = limit == 0
                                   ? body.body
-                                  : fmt::format("{} ({})", body.body, said_name(of.spec.limits[limit], of.spec.limits));
+                                  : fmt::format("{} ({})", body.body, full_name(of.spec.limits[limit], of.spec.limits));
             for (auto const& sentence : warnings_of(curve.fit, curve.shown_in, of.confidence)) {
                 auto const known = std::ranges::find(about, sentence, &std::pair<std::string, std::string>::first);
                 if (known == about.end()) {

@@ -162,7 +162,7 @@ Table two_measure_table(std::span<TwoMeasures const> fits, double confidence) {
     estimate("slope_first", "slope with ln of the first measure",
              [](TwoMeasureFit const& fit) { return fit.slopes[0]; });
     estimate("slope_second", "slope with ln of the second", [](TwoMeasureFit const& fit) { return fit.slopes[1]; });
-    estimate("beta", "lognormal standard deviation where both measures scale alike",
+    estimate("beta", "lognormal standard deviation where both measures scale equally",
              [](TwoMeasureFit const& fit) { return fit.beta; });
     table
         .add("better_alone", "1", "the measure that describes the trials better alone",

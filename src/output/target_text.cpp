@@ -12,7 +12,8 @@ namespace overturn::output {
 std::string half_width_obstacle(std::span<Stripe const> stripes, double half_width, double confidence) {
     for (auto const& stripe : stripes) {
         auto const open = stripe.trials - stripe.decided();
-        if (clopper_pearson_of_groups(open, open, stripe.trials, stripe.alike, confidence).lower > 2 * half_width) {
+        if (clopper_pearson_of_groups(open, open, stripe.trials, stripe.group_size, confidence).lower
+            > 2 * half_width) {
             return fmt::format("cannot meet target_half_width = {:g} ({} of {} trials at one level have no verdict)",
                                half_width, open, stripe.trials);
         }

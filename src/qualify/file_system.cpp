@@ -9,7 +9,7 @@
 #include "core/elapsed.hpp"
 #include "core/error.hpp"
 #include "qualify/installation.hpp"
-#include "store/claim.hpp"
+#include "store/block_lock.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::qualify {
@@ -42,9 +42,9 @@ Check durable_writes(std::filesystem::path const& folder) {
 
 Check locks(std::filesystem::path const& folder) {
     Check check{"F-02", "a second run on the same output is refused", "POSIX, open-file locks", "runs let in", 1, 0, 0};
-    store::Claim const first(folder / "output.parts", {0, 4});
+    store::BlockLock const first(folder / "output.parts", {0, 4});
     try {
-        store::Claim const second(folder / "output.parts", {2, 3});
+        store::BlockLock const second(folder / "output.parts", {2, 3});
         check.remark = "no locks here: never start two runs on one output";
     } catch (InputError const&) {
         check.found = 0;

@@ -16,7 +16,7 @@ namespace overturn::rare {
 inline constexpr double strength_step = 0.15;
 inline constexpr std::array<double, 3> pulse_strengths{1 - strength_step, 1, 1 + strength_step};
 
-/// A shift of a wave's lines: the mean of failing waves that look alike, moved so that they fail at time 0.
+/// A shift of a wave's lines: the mean of similar failing waves, moved so that they fail at time 0.
 struct Pulse {
     std::vector<std::complex<double>> lines;  ///< M_k, k = 1, 2, ...
     double share = 0;                         ///< pi_c: how often it is chosen

@@ -71,7 +71,7 @@ double weight_deviation(std::vector<std::vector<MixtureStage>> const& stages) {
     }
     double const mean = sum / n;
     double const error = std::sqrt((squares / n - mean * mean) / n);
-    // Weights that are all alike and not 1 are no scatter: nothing was drawn from the mixture that they are of.
+    // Equal weights other than 1 are no scatter: nothing was drawn from the mixture that they are of.
     return mean == 0 ? 0 : error > 0 ? std::abs(mean) / error : std::numeric_limits<double>::infinity();
 }
 

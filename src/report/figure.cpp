@@ -124,7 +124,7 @@ void run_script(std::vector<std::string> const& arguments, std::string const& er
         auto const why = last_line_of(errors);
         throw SystemError(why.find("Install it: ") != std::string::npos
                               ? why
-                              : fmt::format("no figure (Python said: {}). If a package is broken: {}", why, packages));
+                              : fmt::format("no figure (Python: {}). If a package is broken: {}", why, packages));
     }
 }
 

@@ -226,11 +226,12 @@ Response ModelSelector::conclude(TrialState const& state) const {
     return response;
 }
 
-double ModelSelector::own_value(Response const& response, std::string_view name, std::span<std::byte const> own) const {
+double ModelSelector::extra_value(Response const& response, std::string_view name,
+                                  std::span<std::byte const> extra) const {
     for (auto const& [traits, offset] : extra_parts_) {
         if (traits->number == response.model) {
             auto const field = std::ranges::find(traits->fields, name, &Field::name);
-            return field == traits->fields.end() ? never : real_at(own.subspan(offset), *field);
+            return field == traits->fields.end() ? never : real_at(extra.subspan(offset), *field);
         }
     }
     return never;

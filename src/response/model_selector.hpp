@@ -81,8 +81,8 @@ class ModelSelector {
     [[nodiscard]] std::vector<ExtraPart> const& extra_parts() const { return extra_parts_; }
     [[nodiscard]] std::size_t extra_bytes() const { return extra_bytes_; }
     /// What the model that answered says of its own by this name; NaN: nothing. \param own a record of extra_bytes()
-    [[nodiscard]] double own_value(Response const& response, std::string_view name,
-                                   std::span<std::byte const> own) const;
+    [[nodiscard]] double extra_value(Response const& response, std::string_view name,
+                                     std::span<std::byte const> extra) const;
     /// Records of trials that no model has run: they say nothing. \param extra as many as it holds
     void put_defaults(std::span<std::byte> extra) const;
 

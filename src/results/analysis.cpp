@@ -58,9 +58,9 @@ void keep_counts(CriterionStudy& study) {
     study.at_overturning.reset();
     study.first_overturning.reset();
     study.highest_standing.reset();
-    for (auto* share : {&study.safe_but_overturned, &study.overturned_said_safe, &study.unsafe_but_stood,
-                        &study.stood_said_unsafe, &study.waves_safe_but_overturned, &study.safe_uplifted_but_overturned,
-                        &study.waves_safe_uplifted_but_overturned}) {
+    for (auto* share : {&study.safe_but_overturned, &study.overturned_predicted_safe, &study.unsafe_but_stood,
+                        &study.stood_predicted_unsafe, &study.waves_safe_but_overturned,
+                        &study.safe_uplifted_but_overturned, &study.waves_safe_uplifted_but_overturned}) {
         share->interval = {never, never};
     }
 }
@@ -89,9 +89,9 @@ class Analyst {
         for (auto const* const measure : criteria_of(spec_)) {
             auto const unit =
                 !measure->other_unit_of.empty() ? other(spec_.measures.radius_unit) : spec_.measures.radius_unit;
-            body.criterion.push_back(
-                {measure, unit,
-                 study_criterion(statistics_.measured().criterion_trials(b, measure), options_.confidence, alike())});
+            body.criterion.push_back({measure, unit,
+                                      study_criterion(statistics_.measured().criterion_trials(b, measure),
+                                                      options_.confidence, group_size())});
             if (is_grid_) {
                 keep_counts(body.criterion.back().study);
             }
@@ -129,11 +129,11 @@ class Analyst {
         return fit_fragility(data, request);
     }
 
-    // Has one wave, or have waves that are alike, several trials?
+    // Has one wave, or have waves that share a draw, several trials?
     [[nodiscard]] bool shared() const {
-        return alike() > 1 || (!spec_.levels.independent_waves && spec_.levels.levels.size() > 1);
+        return group_size() > 1 || (!spec_.levels.independent_waves && spec_.levels.levels.size() > 1);
     }
-    [[nodiscard]] std::int64_t alike() const { return spec_.source->about().waves_alike; }
+    [[nodiscard]] std::int64_t group_size() const { return spec_.source->about().waves_per_draw; }
     [[nodiscard]] FragilityRequest request_of(std::size_t b, std::size_t limit,
                                               std::optional<BetaSplit> const& split) const {
         FragilityRequest request;
@@ -161,7 +161,7 @@ class Analyst {
         std::int64_t const body = b;
         auto open = measured.open(body, measure, limit);
         auto const lost = measured.left_out(body, measure, limit) - std::ssize(open);
-        auto data = FragilityData::of_trials(std::move(trials), shared(), std::move(open), lost, alike());
+        auto data = FragilityData::of_trials(std::move(trials), shared(), std::move(open), lost, group_size());
         data.waves_left_out = measured.passed_by() > 0;
         return fit_fragility(data, request);
     }

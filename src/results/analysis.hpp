@@ -33,7 +33,7 @@ struct MeasuredFragility {
     FragilityFit fit;
     std::optional<BetaSplit> split;                               ///< where the bodies were drawn
     std::vector<std::string> drawn;                               ///< the quantities its scores are of
-    double rank_area = std::numeric_limits<double>::quiet_NaN();  ///< NaN where all trials ended alike
+    double rank_area = std::numeric_limits<double>::quiet_NaN();  ///< NaN where all trials ended the same way
     Interval rank_interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 };
 
@@ -46,7 +46,7 @@ struct MeasuredCriterion {
 
 /// Evidence on whether safe means safe, from the trials that V_WES < V_Ereq predicts to be safe.
 enum class Safety : std::uint8_t {
-    none_said_safe,
+    none_predicted_safe,
     none_uplifted,       ///< they were never in danger
     false_safe,          ///< some overturned
     nothing_overturned,  ///< neither they nor any other
@@ -60,14 +60,14 @@ enum class Speaks : std::uint8_t { in_favour, against, neither };
 /// V_WES beside another measure of the same waves.
 struct MeasureBeside {
     std::size_t curve = 0;                    ///< the other's place in BodyAnalysis::fragility
-    std::optional<Interval> beta_ratio = {};  ///< of V_WES over the other's, waves resampled for both alike
+    std::optional<Interval> beta_ratio = {};  ///< of V_WES over the other's, the same resampled waves for both
     std::optional<Speaks> dispersion = {};    ///< by that ratio; none where one of them has no curve
-    std::optional<Speaks> rank = {};          ///< none where all trials ended alike
+    std::optional<Speaks> rank = {};          ///< none where all trials ended the same way
 };
 
 /// Findings of the trials on the paper's claim that V_WES is practical and conservative.
 struct CriterionVerdict {
-    Safety safety = Safety::none_said_safe;
+    Safety safety = Safety::none_predicted_safe;
     Speaks false_alarms = Speaks::neither;  ///< are they fewer than half of the alarms?
     std::vector<MeasureBeside> beside;      ///< none where all waves have one spectrum
 };

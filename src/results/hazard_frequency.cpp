@@ -54,7 +54,7 @@ Interval interval_of_fit(FragilityFit const& fit, HazardCurve const& hazard, Tri
     return ends;
 }
 
-// Has any wave a component beside the horizontal one? Waves that are drawn are alike in that.
+// Has any wave a component beside the horizontal one? Drawn waves do not differ in that.
 bool has_further_components(CampaignSpec const& spec) {
     auto const waves = spec.source->about().available ? static_cast<std::uint64_t>(spec.wave_count) : 1;
     for (std::uint64_t wave = 0; wave < waves; ++wave) {
@@ -179,7 +179,7 @@ std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics c
             all.push_back(frequency_of(fits.front().fit, stripes, hazard, confidence, nothing));
             all.back().body = analysis[b].body;
             all.back().limit = spec.limits[limit].name;
-            all.back().said = said_name(spec.limits[limit], spec.limits);
+            all.back().full_name = full_name(spec.limits[limit], spec.limits);
         }
     }
     return all;

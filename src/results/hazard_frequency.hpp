@@ -16,7 +16,7 @@ namespace overturn {
 /// Annual frequency of one body and limit state. All frequencies in 1/a.
 struct BodyFrequency {
     std::string body, limit;
-    std::string said;  ///< name of the limit state in lines; empty: its own name
+    std::string full_name;  ///< name of the limit state in lines; empty: its name
     /// By the curve over the levels with beta_R and beta_U together, if there is a curve: their mean, the curve taken
     /// to hold outside of the levels too.
     std::optional<AnnualFrequency> mean;

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "motion/claims.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/openquake.hpp"
@@ -17,6 +16,7 @@
 #include "motion/pair_table.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
+#include "motion/text_statements.hpp"
 #include "results/detail/hazard_years.hpp"
 #include "results/detail/unusual_hazard.hpp"
 
@@ -56,26 +56,27 @@ void check_measure(PairTable const& table, HazardAxis const& axis, Location cons
 }
 
 // What the lines of text say of the intensity. Years are judged above.
-Claims claims_of(PairTable const& table, Dimension dimension, std::string const& name) {
-    Claims claims(dimension);
+TextStatements statements_of(PairTable const& table, Dimension dimension, std::string const& name) {
+    TextStatements statements(dimension);
     for (auto const& line : table.text) {
         auto const lower = lowered(line.text);
         bool const of_hazard = years_in(lower) || named_years(lower) || lower.find("annual") != std::string::npos
                                || lower.find("hazard") != std::string::npos;
-        Claims alone(dimension);
+        TextStatements alone(dimension);
         alone.take(line.text, line.number);
         if (!of_hazard || alone.unit() || !alone.doubt().empty()) {
-            claims.take(line.text, line.number);
+            statements.take(line.text, line.number);
         }
     }
-    claims.check_unit_of(table.first_name, name);
-    return claims;
+    statements.check_unit_of(table.first_name, name);
+    return statements;
 }
 
 // Lines on the hazard that say more of it than a reader of a mean annual curve expects: "median", "per century", "x
 // 10", "of the vertical component", "for Sa(1 s)" above another measure.
-std::vector<std::string> more_of_hazard(PairTable const& table, HazardAxis const& axis, Claims const& claims) {
-    auto lines = claims.unread();
+std::vector<std::string> more_of_hazard(PairTable const& table, HazardAxis const& axis,
+                                        TextStatements const& statements) {
+    auto lines = statements.unread();
     auto const name = measure_in_name(table.first_name);
     auto const behind = name.substr(std::min(measure_in(table.first_name).size(), name.size()));
     if (tells_more_in_name("x" + behind)) {
@@ -83,24 +84,25 @@ std::vector<std::string> more_of_hazard(PairTable const& table, HazardAxis const
     }
     for (auto const& line : table.text) {
         auto const lower = lowered(line.text);
-        Claims alone(axis.dimension);
+        TextStatements alone(axis.dimension);
         alone.take(line.text, line.number);
         bool const spectral = lower.find("sa(") != std::string::npos || lower.find("spectral") != std::string::npos;
         auto const& other = alone.other();
         bool const another = (spectral && !axis.label.starts_with("sa")) || alone.states_peak()
                              || (!other.empty() && other != "a hazard curve");
-        bool const told =
+        bool const known =
             tells_statistic(lower) || tells_vertical(lower) || lower.find('%') != std::string::npos || another;
-        auto said = fmt::format("line {}: {}", line.number, in_quotes(trimmed(line.text)));
-        if (told && std::ranges::find(lines, said) == lines.end()) {
-            lines.insert(lines.begin(), std::move(said));
+        auto text = fmt::format("line {}: {}", line.number, in_quotes(trimmed(line.text)));
+        if (known && std::ranges::find(lines, text) == lines.end()) {
+            lines.insert(lines.begin(), std::move(text));
         }
     }
     return lines;
 }
 
 // The unit that the first column's name or the text states, none of a pure number.
-IntensityUnit unit_of(PairTable const& table, HazardAxis const& axis, Claims const& claims, Location const& where) {
+IntensityUnit unit_of(PairTable const& table, HazardAxis const& axis, TextStatements const& statements,
+                      Location const& where) {
     if (axis.dimension == Dimension::none) {
         return {};
     }
@@ -108,12 +110,12 @@ IntensityUnit unit_of(PairTable const& table, HazardAxis const& axis, Claims con
     auto const label = axis.label.empty() ? measure_in(table.first_name) : axis.label;
     auto const column = "a" + name.substr(std::min(label.size(), name.size()));
     auto const named = unit_of_values(column, axis.dimension);
-    auto const unit = claims.unit_beside(named, {}, where);
+    auto const unit = statements.unit_beside(named, {}, where);
     if (!unit) {
-        throw InputError(
-            where, fmt::format("'{}' states no unit of {} ({}one of {}). Write for example '{} [{}]'", table.first_name,
-                               name_of(axis.dimension), claims.doubt().empty() ? "" : claims.doubt() + "; must be ",
-                               accepted_units(axis.dimension), label, si_symbol(axis.dimension)));
+        throw InputError(where, fmt::format("'{}' states no unit of {} ({}one of {}). Write for example '{} [{}]'",
+                                            table.first_name, name_of(axis.dimension),
+                                            statements.doubt().empty() ? "" : statements.doubt() + "; must be ",
+                                            accepted_units(axis.dimension), label, si_symbol(axis.dimension)));
     }
     return {named ? std::string(unit_text_in_name(column).text) : name_of_unit(*unit, axis.dimension), *unit};
 }
@@ -217,8 +219,8 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
     check_annual(table, where);
     check_rows(table, name, check_row);  // behind the names: rows of another column break its rules
     auto remarks = check_years(table, name);
-    auto const claims = claims_of(table, axis.dimension, name);
-    auto unit = unit_of(table, axis, claims, where);
+    auto const statements = statements_of(table, axis.dimension, name);
+    auto unit = unit_of(table, axis, statements, where);
     auto cut = without_zeros(table, unit.si);
     auto& points = cut.points;
     if (points.size() < 2) {
@@ -233,7 +235,7 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
     HazardCurve const hazard(std::move(points), std::move(unit), std::move(cut.remarks));
     check_overlap(hazard, axis, where);
     std::ranges::copy(hazard.remarks(), std::back_inserter(remarks));
-    if (auto const text = not_understood(more_of_hazard(table, axis, claims)); !text.empty()) {
+    if (auto const text = not_understood(more_of_hazard(table, axis, statements)); !text.empty()) {
         remarks.push_back(name + text);
     }
     std::ranges::move(unusual_hazard(hazard, axis, axis.label.empty() ? measure_in(table.first_name) : axis.label),

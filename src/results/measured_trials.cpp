@@ -10,7 +10,8 @@
 
 namespace overturn {
 
-MeasuredTrials::MeasuredTrials(std::vector<Measure> measures, std::int64_t waves_alike) : waves_alike_(waves_alike) {
+MeasuredTrials::MeasuredTrials(std::vector<Measure> measures, std::int64_t waves_per_draw)
+    : waves_per_draw_(waves_per_draw) {
     std::ranges::partition_copy(measures, std::back_inserter(linear_), std::back_inserter(others_), is_linear);
 }
 

@@ -10,7 +10,7 @@
 
 namespace overturn {
 
-/// The mean of failing waves that look alike, as it arrives most often: of the waves that do what this pulse does to
+/// The mean of similar failing waves, as it arrives most often: of the waves that do what this pulse does to
 /// the body, the likeliest.
 struct FailurePulse {
     double share = 0;     ///< share of the failing waves that look so [-]

@@ -84,9 +84,9 @@ bool is_counted(std::string_view column, std::span<LimitState const> limits) {
 }
 
 // The further columns of models, trial after trial, some at a time; all empty if they are not requested.
-class OwnRecords {
+class ExtraRecords {
   public:
-    OwnRecords(store::ResultsReader const& file, ModelSelector const& selector, std::int64_t length)
+    ExtraRecords(store::ResultsReader const& file, ModelSelector const& selector, std::int64_t length)
         : file_(file), tables_(extra_tables(selector)), each_(selector.extra_bytes()), length_(length) {}
 
     [[nodiscard]] std::span<std::byte const> next() {
@@ -149,7 +149,7 @@ bool same_counts(store::ResultsReader const& file, std::string const& place, std
     return std::ranges::equal(stored_counts(file, place, stripes.size()), stripes, {}, {}, count);
 }
 
-// What the rows say now is what they said when the file was made.
+// The rows give now what they gave when the file was made.
 void require_stored(store::ResultsReader const& file, BodyStatistics const& counted) {
     auto const group = group_of("stripes", counted.body, overturning_limit);
     auto const levels = counted.stripes.size();
@@ -223,7 +223,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec, T
     }
     std::int64_t const levels = spec.levels.levels.size();
     ModelSelector const selector(spec.effects, spec.accuracy);
-    OwnRecords own(file, selector, statistics.reads_extra() ? done * plan.trials_per_wave() : 0);
+    ExtraRecords extra(file, selector, statistics.reads_extra() ? done * plan.trials_per_wave() : 0);
     auto table = stored_trial_table(file, spec);
     if (!all) {
         std::erase_if(table.columns, [&](Field const& column) { return !is_counted(column.name, spec.limits); });
@@ -231,7 +231,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec, T
     each_row<TrialRow>(file, table, done * plan.trials_per_wave(), [&](TrialRow const& row) {
         require(row.level >= 0 && row.level < levels,
                 fmt::format("trials/level holds {}, which is no level", row.level));
-        statistics.add(row, own.next());
+        statistics.add(row, extra.next());
     });
     for (auto const& counted : file.is_sealed() ? statistics.bodies() : std::vector<BodyStatistics>{}) {
         require_stored(file, counted);

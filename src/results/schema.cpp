@@ -28,21 +28,21 @@ bool is_energy(std::string_view column) { return column.starts_with("v_wes") || 
 // Of a wave's match, but whether and how fast it was matched: iteration knows that anyway.
 bool is_quality(std::string_view column) {
     constexpr std::array kept{"matched", "match_iterations"};
-    constexpr std::array told{"match_",
-                              "si_ratio",
-                              "psd_",
-                              "transverse_match",
-                              "vertical_match",
-                              "duration_5_",
-                              "residual_",
-                              "correlation",
-                              "accept",
-                              "band_",
-                              "horizontal_failures",
-                              "transverse_failures",
-                              "vertical_failures"};
+    constexpr std::array prefixes{"match_",
+                                  "si_ratio",
+                                  "psd_",
+                                  "transverse_match",
+                                  "vertical_match",
+                                  "duration_5_",
+                                  "residual_",
+                                  "correlation",
+                                  "accept",
+                                  "band_",
+                                  "horizontal_failures",
+                                  "transverse_failures",
+                                  "vertical_failures"};
     auto const begins = [&](char const* name) { return column.starts_with(name); };
-    return std::ranges::find(kept, column) == kept.end() && std::ranges::any_of(told, begins);
+    return std::ranges::find(kept, column) == kept.end() && std::ranges::any_of(prefixes, begins);
 }
 
 // What a table of refused waves is made from: where a rule asks nothing, nobody needs it.
@@ -73,10 +73,10 @@ void name_periods(CampaignSpec const& spec, Fields& columns) {
         bool const drawn = column.name == "target" || column.name == "event" || column.name.starts_with("epsilon_");
         return (drawn && !varies) || (part && !parted) || (column.name == "sa_average" && !spec.measures.sa_band);
     });
-    for (std::string_view const told : {"epsilon", "epsilon_between", "epsilon_within"}) {
-        for (std::size_t i = 0; i < epsilon_periods_s.size() && (told == "epsilon" ? varies : parted); ++i) {
-            field_of(columns, fmt::format("{}_{}", told, i + 1)).name =
-                fmt::format("{}_{:g}s", told, epsilon_periods_s[i]);
+    for (std::string_view const name : {"epsilon", "epsilon_between", "epsilon_within"}) {
+        for (std::size_t i = 0; i < epsilon_periods_s.size() && (name == "epsilon" ? varies : parted); ++i) {
+            field_of(columns, fmt::format("{}_{}", name, i + 1)).name =
+                fmt::format("{}_{:g}s", name, epsilon_periods_s[i]);
         }
     }
     for (std::size_t i = 0; i < most_sa_periods; ++i) {

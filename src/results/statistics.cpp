@@ -25,12 +25,12 @@ Statistics::Statistics(CampaignSpec const& spec, TrialsHeld held)
     : judge_(spec.limits, ModelSelector(spec.effects, spec.accuracy)),
       held_(held),
       sigma_(spec),
-      measured_(held_measures(spec), spec.source->about().waves_alike) {
+      measured_(held_measures(spec), spec.source->about().waves_per_draw) {
     for (auto const& body : spec.bodies) {
         BodyStatistics statistics;
         statistics.body = body.name;
         for (auto const& level : spec.levels.levels) {
-            statistics.stripes.push_back({.amplitude = level.value, .alike = spec.source->about().waves_alike});
+            statistics.stripes.push_back({.amplitude = level.value, .group_size = spec.source->about().waves_per_draw});
         }
         statistics.limits.resize(spec.limits.size() - 1, {statistics.stripes, 0, 0});
         statistics.v_wes.resize(statistics.stripes.size());
@@ -77,9 +77,9 @@ void Statistics::add(BlockRows const& block) {
         add(block.waves[w], std::span(block.measures).subspan(w * each, each));
     }
     auto const& rows = block.trials.rows;
-    auto const own = rows.empty() ? 0 : block.trials.extra.size() / rows.size();
+    auto const extra = rows.empty() ? 0 : block.trials.extra.size() / rows.size();
     for (std::size_t t = 0; t < rows.size(); ++t) {
-        add(rows[t], std::span(block.trials.extra).subspan(t * own, own));
+        add(rows[t], std::span(block.trials.extra).subspan(t * extra, extra));
     }
 }
 
@@ -151,8 +151,8 @@ void Statistics::add_counts(std::span<std::int64_t const> counts) {
     OVERTURN_ENSURE(next == counts.size());
 }
 
-void Statistics::add(TrialRow const& row, std::span<std::byte const> own) {
-    auto const limits = judge_.judge(row, own);
+void Statistics::add(TrialRow const& row, std::span<std::byte const> extra) {
+    auto const limits = judge_.judge(row, extra);
     if (held_ == TrialsHeld::all) {
         measured_.add(row, limits);
     }

@@ -68,7 +68,7 @@ class Statistics {
     /// \param spec outlives it
     explicit Statistics(CampaignSpec const& spec, TrialsHeld held = TrialsHeld::all);
     /// \param own what models have to say of their own about it; empty: not at hand
-    void add(TrialRow const& row, std::span<std::byte const> own = {});
+    void add(TrialRow const& row, std::span<std::byte const> extra = {});
     /// A wave that a rule refused.
     void add_refused(WaveRow const& row);
     /// \param measures one per body

@@ -151,7 +151,7 @@ class RockingModel : public Model {
     [[nodiscard]] EffectMask possible(Trial const& trial) const override {
         return trial.excitation.vertical_mps2.empty() ? 0 : mask_of(Effect::vertical);
     }
-    [[nodiscard]] Requirement required_of(Trial const& trial, Outcome const* /*said*/) const override {
+    [[nodiscard]] Requirement required_of(Trial const& trial, Outcome const* /*earlier*/) const override {
         return {possible(trial)};
     }
 
@@ -162,8 +162,8 @@ class RockingModel : public Model {
         }
         auto checkpoints = std::make_unique<SlipCheckpoints>();
         checkpoints->at.resize(batch.trials.size());
-        run_alike(batch, Slip::ignored, checkpoints->at);
-        run_alike(batch, Slip::detected, checkpoints->at);
+        run_batch_with(batch, Slip::ignored, checkpoints->at);
+        run_batch_with(batch, Slip::detected, checkpoints->at);
         return checkpoints;
     }
 
@@ -179,7 +179,7 @@ class RockingModel : public Model {
     }
 
     // All trials that look at friction in the same way, side by side.
-    void run_alike(Batch const& batch, Slip slip, std::vector<rocking::Checkpoint>& checkpoints) const {
+    void run_batch_with(Batch const& batch, Slip slip, std::vector<rocking::Checkpoint>& checkpoints) const {
         std::vector<std::size_t> which;
         std::vector<RockingTrial> trials;
         which.reserve(batch.trials.size());

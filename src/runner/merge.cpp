@@ -178,7 +178,7 @@ CampaignInput begun_campaign(std::filesystem::path const& output) {
 
 MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator const& comm,
                      MergeOptions const& options) {
-    std::optional<store::Claim> claim;
+    std::optional<store::BlockLock> lock;
     auto const begun = broadcast_from_root(comm, [&] {
         if (std::filesystem::exists(output)) {
             store::ResultsReader const file(output);
@@ -189,7 +189,7 @@ MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator
         store::ShardFolder const unnamed(output, "");
         require_begun(unnamed, output);
         store::require_writable(output);
-        claim.emplace(unnamed.folder(), store::BlockRange{0, std::numeric_limits<std::int64_t>::max()});
+        lock.emplace(unnamed.folder(), store::BlockRange{0, std::numeric_limits<std::int64_t>::max()});
         auto const input = CampaignInput::deserialise(unnamed.begun_with());
         require_same_program(input, output);
         return input.serialise();

@@ -30,7 +30,7 @@ void refuse_other(CampaignInput const& begun, CampaignInput const& now, std::str
 }
 
 // A whole run holds all blocks there could ever be, so that no part can start beside it.
-store::BlockRange claimed(Plan const& plan, Part part) {
+store::BlockRange blocks_of(Plan const& plan, Part part) {
     return part.is_whole() ? store::BlockRange{0, std::numeric_limits<std::int64_t>::max()} : plan.blocks_of(part);
 }
 
@@ -67,10 +67,10 @@ std::optional<CampaignInput> sound_record(store::ShardFolder const& shards, Camp
 bool becomes_free(store::ShardFolder const& shards) {
     constexpr auto pause = std::chrono::milliseconds(50);
     constexpr int most_pauses = 100;
-    for (int i = 0; i < most_pauses && store::Claim::held(shards.folder()); ++i) {
+    for (int i = 0; i < most_pauses && store::BlockLock::held(shards.folder()); ++i) {
         std::this_thread::sleep_for(pause);
     }
-    return !store::Claim::held(shards.folder());
+    return !store::BlockLock::held(shards.folder());
 }
 
 // Of this very campaign and program, by the record or, where a kill came after that had gone, by every block itself.
@@ -160,7 +160,7 @@ void warn_of_little_space(std::filesystem::path const& output, Plan const& plan,
     }
 }
 
-void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool claimed) {
+void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool locked) {
     store::ResultsReader const file(output);
     auto made_from = input_of(file);
     auto stated = input;
@@ -174,7 +174,7 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
              only_more ? "with other waves, levels, bodies, limits, statistics or title" : "with other settings",
              only_more ? "Use --extend, which keeps its rows, or name another" : "Name another");
     store::ShardFolder const shards(output, input.block_key());
-    if (!shards.exists() || !(claimed || becomes_free(shards))) {
+    if (!shards.exists() || !(locked || becomes_free(shards))) {
         return;
     }
     bool const leftovers = are_leftovers(shards, input);
@@ -186,9 +186,9 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
         leftovers ? "blocks left over (merged already). Removed" : "what lies there is not of this file. Left alone");
 }
 
-OutputState claim_output(std::filesystem::path const& output, store::ShardFolder const& shards,
-                         CampaignInput const& input, Plan const& plan, OutputRequest const& request,
-                         std::optional<store::Claim>& claim) {
+OutputState lock_output(std::filesystem::path const& output, store::ShardFolder const& shards,
+                        CampaignInput const& input, Plan const& plan, OutputRequest const& request,
+                        std::optional<store::BlockLock>& lock) {
     validate(!std::filesystem::is_directory(output), "output {} (is a folder). Name a file with -o", output.string());
     validate(!std::filesystem::exists(output) || std::filesystem::is_regular_file(output),
              "output {} (is no file that could hold results). Name another with -o", output.string());
@@ -200,11 +200,11 @@ OutputState claim_output(std::filesystem::path const& output, store::ShardFolder
     refuse_taken();
     if (extends || !std::filesystem::exists(output)) {
         store::require_writable(output);
-        claim.emplace(shards.folder(), claimed(plan, request.part));
+        lock.emplace(shards.folder(), blocks_of(plan, request.part));
     }
     refuse_taken();  // another run may have finished meanwhile
     if (std::filesystem::exists(output) && (!extends || is_same_campaign(output, input))) {
-        check_complete(output, input, claim.has_value());
+        check_complete(output, input, lock.has_value());
         return {.complete = true};
     }
     auto const begun = sound_record(shards, input, request.resume);
@@ -259,7 +259,7 @@ std::vector<std::int64_t> take_blocks(std::filesystem::path const& output, store
                broadcast_from_root(comm,
                                    [&] {
                                        std::vector<std::int64_t> committed;
-                                       std::set<std::string> told;  // what is foreign is seen by several
+                                       std::set<std::string> reported;  // what is foreign is seen by several
                                        for (auto const& text : of_ranks) {
                                            auto const found = nlohmann::json::parse(text);
                                            if (found.contains("error")) {
@@ -269,10 +269,10 @@ std::vector<std::int64_t> take_blocks(std::filesystem::path const& output, store
                                                committed.push_back(block.get<std::int64_t>());
                                            }
                                            for (auto const& line : found.at("notes")) {
-                                               told.insert(line.get<std::string>());
+                                               reported.insert(line.get<std::string>());
                                            }
                                        }
-                                       for (auto const& line : told) {
+                                       for (auto const& line : reported) {
                                            write_note(line + "\n");
                                        }
                                        validate(request.resume || committed.empty(),

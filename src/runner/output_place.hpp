@@ -29,12 +29,12 @@ struct OutputRequest {
     Part part;
 };
 
-/// Looks at the place, refuses what must not be touched, claims the part's blocks and begins the shard folder. Parts of
-/// one campaign share the folder. \param claim holds the blocks from here on \throws InputError if something is there
+/// Looks at the place, refuses what must not be touched, locks the part's blocks and begins the shard folder. Parts of
+/// one campaign share the folder. \param lock holds the blocks from here on \throws InputError if something is there
 /// and `resume` is off, it belongs to another campaign, or another run is writing there
-[[nodiscard]] OutputState claim_output(std::filesystem::path const& output, store::ShardFolder const& shards,
-                                       CampaignInput const& input, Plan const& plan, OutputRequest const& request,
-                                       std::optional<store::Claim>& claim);
+[[nodiscard]] OutputState lock_output(std::filesystem::path const& output, store::ShardFolder const& shards,
+                                      CampaignInput const& input, Plan const& plan, OutputRequest const& request,
+                                      std::optional<store::BlockLock>& lock);
 
 /// Every rank writes, so every node has to see the folder. Collective. \throws InputError on every rank if one does not
 void require_shared(store::ShardFolder const& shards, std::string const& key, parallel::Communicator const& comm);
@@ -61,8 +61,8 @@ void take_rows(AcceptedWaves& waves, Plan const& drawn, store::ShardFolder const
                std::vector<std::int64_t> const& blocks);
 
 /// The finished file at `output` is that of this campaign: what is left of its shards goes, unless the run that wrote
-/// it is still at that. \param claimed this process holds the claim on the shards \throws InputError if it is
+/// it is still at that. \param locked this process holds the lock of the shards \throws InputError if it is
 /// another's, or no results file
-void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool claimed = false);
+void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool locked = false);
 
 }  // namespace overturn

@@ -81,7 +81,7 @@ class Run {
                  "--leave-blocks beside {} (which need the file). Leave one out",
                  options_.extend ? "--extend" : "[rare]");
         auto const found = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
-            auto const state = claim_output(options_.output, shards_, input_, plan_, request, claim_);
+            auto const state = lock_output(options_.output, shards_, input_, plan_, request, lock_);
             auto const kept =
                 state.keeps ? take_known_blocks(options_.output, input_, spec_, plan_, shards_) : KeptPlaces{};
             if (state.keeps) {
@@ -215,8 +215,8 @@ class Run {
             return nlohmann::json{{"met", look.met}, {"obstacle", look.obstacle}}.dump();
         }));
         bool const yes = looked.at("met").get<bool>();
-        if (auto const obstacle = looked.at("obstacle").get<std::string>(); !obstacle.empty() && !told_obstacle_) {
-            told_obstacle_ = true;
+        if (auto const obstacle = looked.at("obstacle").get<std::string>(); !obstacle.empty() && !reported_obstacle_) {
+            reported_obstacle_ = true;
             if (comm_.is_root()) {
                 print_note("warning: after {} waves {}: all {} waves are run unless that changes\n", count, obstacle,
                            plan_.count());
@@ -278,13 +278,13 @@ class Run {
     Plan plan_;
     AcceptedWaves waves_;  ///< where a rule is asked known on rank 0 alone
     store::ShardFolder shards_;
-    std::optional<store::Claim> claim_;
+    std::optional<store::BlockLock> lock_;
     std::unique_ptr<KeptRows> kept_;  ///< of earlier campaigns, where blocks hold some of them
     WorkDone done_;
     std::optional<std::vector<RareBody>> rare_;
     std::vector<std::string> earlier_segments_;  ///< of blocks that are merged; known on rank 0
     double wall_s_ = 0;
-    bool told_obstacle_ = false;
+    bool reported_obstacle_ = false;
     std::vector<std::int64_t> committed_;      ///< by earlier runs
     std::int64_t asked_ = 0, unfinished_ = 0;  ///< blocks of this run so far, and those of them that are not done
     std::int64_t chosen_ = 0;                  ///< waves that count, of each level where levels have their own

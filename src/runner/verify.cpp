@@ -137,9 +137,9 @@ class Verifier {
     }
 
     void compare_trial(std::int64_t number, TrialRows const& stored, TrialRows const& again, std::size_t at) {
-        auto const own = selector_.extra_bytes();
+        auto const extra = selector_.extra_bytes();
         auto const one = [&](TrialRows const& trials) {
-            auto const part = std::span(trials.extra).subspan(at * own, own);
+            auto const part = std::span(trials.extra).subspan(at * extra, extra);
             return TrialRows{{trials.rows[at]}, {part.begin(), part.end()}};
         };
         auto const a = one(stored);

@@ -10,8 +10,9 @@
 
 namespace overturn::simd {
 
-/// Something that steps independent trajectories side by side. Of a lane, `step` does what all lanes do alike; whatever
-/// is rare or differs from lane to lane is done to the trajectory itself, between `store_lane` and `load_lane`.
+/// Something that steps independent trajectories side by side. Of a lane, `step` does what all lanes do in common;
+/// whatever is rare or differs from lane to lane is done to the trajectory itself, between `store_lane` and
+/// `load_lane`.
 template <class Kernel>
 concept LaneKernel = requires(Kernel& kernel, std::optional<typename Kernel::Trajectory>& place,
                               typename Kernel::Trajectory& trajectory, typename Kernel::Fields& fields, int lane) {

@@ -126,10 +126,10 @@ class SpatialModel : public Model {
         return trial.body->needs_planar_rocking() ? 0 : traits().brings();
     }
 
-    [[nodiscard]] Requirement required_of(Trial const& trial, Outcome const* said) const override {
+    [[nodiscard]] Requirement required_of(Trial const& trial, Outcome const* earlier) const override {
         auto const all = traits().always | (trial.friction ? mask_of(Effect::sliding) : 0);
         bool const shaken_across = !trial.excitation.transverse_mps2.empty();
-        if (said != nullptr) {
+        if (earlier != nullptr) {
             return {};  // all that calls for it is known before
         }
         switch (trial.footing->base.shape) {

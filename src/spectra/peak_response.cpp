@@ -56,9 +56,9 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
                                                                      : SweepForm::samples;
         // Lanes are filled up with periods that could do with fewer samples; only the amplitudes of those that need no
         // substeps would say too little.
-        constexpr double alike = 8;
+        constexpr double widest = 8;
         if (groups_.empty() || groups_.back().count == simd::sweep_lanes
-            || period > alike * periods_s[groups_.back().first]
+            || period > widest * periods_s[groups_.back().first]
             || (groups_.back().swept.form == SweepForm::amplitude) != (form == SweepForm::amplitude)) {
             groups_.push_back({i, 0, {.form = form, .stride = stride}});
         }

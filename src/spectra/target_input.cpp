@@ -27,11 +27,11 @@ constexpr config::Keys target_keys{
         .only("file is stated"),
     config::word_key<target_kinds>("kind", "quantity of the ordinates").only("points or file are stated"),
     config::text_key("unit", "unit of the ordinates, if file or points do not state it")
-        .otherwise_said("that of the file; of points SI")
+        .otherwise_in_words("that of the file; of points SI")
         .only("points or file are stated"),
     config::number_key("damping", Dimension::none, fraction, "damping ratio of the oscillators").otherwise(0.05),
     config::number_key("stated_damping", Dimension::none, fraction, "damping ratio of the given spectrum")
-        .otherwise_said("equal to damping"),
+        .otherwise_in_words("equal to damping"),
     config::word_key<damping_rules>("damping_rule", "rule that converts the spectrum from stated_damping to damping")
         .optional(),
     config::number_key("scale", Dimension::none, config::Range::positive(), "factor on all ordinates").otherwise(1),

@@ -4,11 +4,11 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "motion/claims.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/openquake.hpp"
 #include "motion/pair_table.hpp"
 #include "motion/text_lines.hpp"
+#include "motion/text_statements.hpp"
 #include "spectra/detail/design_json.hpp"
 #include "spectra/detail/target_axis.hpp"
 #include "spectra/detail/target_names.hpp"
@@ -114,18 +114,18 @@ TargetSpectrum target_of_table(PairTable const& table, std::string const& name, 
     auto const unread = check_text(table, kind, damping, name);
     double const abscissa = hertz ? *hertz : table.names_line > 0 ? period_unit(table, where) : 1;
     check_axis_text(table, hertz.has_value(), abscissa, name);
-    Claims claims(dimension_of(kind));
-    claims.take(table.text, 0);  // what stands beside the names is text
+    TextStatements statements(dimension_of(kind));
+    statements.take(table.text, 0);  // what stands beside the names is text
     auto const named = named_unit(table, kind, unit_si.has_value(), where);
-    auto unit = claims.unit_beside(named, unit_si, where);
+    auto unit = statements.unit_beside(named, unit_si, where);
     if (!named && !silence_is_si) {
-        claims.check_unit_is_known(name);
+        statements.check_unit_is_known(name);
     }
-    unit = !unit && silence_is_si && claims.doubt().empty() ? std::optional(1.0) : unit;
+    unit = !unit && silence_is_si && statements.doubt().empty() ? std::optional(1.0) : unit;
     if (!unit) {
         throw InputError({name, table.line.front()},
                          fmt::format("unit of the ordinates missing ({}). State {}",
-                                     claims.doubt().empty() ? "neither names nor text say it" : claims.doubt(),
+                                     statements.doubt().empty() ? "neither names nor text say it" : statements.doubt(),
                                      units_to_state(kind)));
     }
     check_rows(table, hertz.has_value(), logarithms, kind, name);

@@ -42,7 +42,7 @@ class WholeWave {
     FourierIntegrals integrals_;
 };
 
-// Measures waves of one length, all alike but for their samples.
+// Measures waves of one length.
 struct Kind {
     std::size_t samples;
     double time_step_s, t0_s, t1_s, panel_phase_rad;

@@ -38,7 +38,7 @@ struct BetaSplit {
 };
 
 /// Maximum likelihood by Newton's method on the concave log-likelihood (Pratt 1981). Nothing if the trials hold no such
-/// curve: all ended alike, are separated, or do not overturn more at higher intensities.
+/// curve: all ended the same way, are separated, or do not overturn more at higher intensities.
 /// \param key of the replicates; none are made without it
 /// \pre every trial has the same number of scores, at least one
 [[nodiscard]] std::optional<BetaSplit> split_beta(std::vector<DrawnTrial> const& trials,

@@ -9,8 +9,8 @@
 
 namespace overturn {
 
-Share share_of(std::int64_t count, std::int64_t of, double confidence, std::int64_t alike) {
-    return {count, of, clopper_pearson_of_groups(count, count, of, alike, confidence)};
+Share share_of(std::int64_t count, std::int64_t of, double confidence, std::int64_t group_size) {
+    return {count, of, clopper_pearson_of_groups(count, count, of, group_size, confidence)};
 }
 
 std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios) {
@@ -22,13 +22,13 @@ std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios) {
                           quantile(ratios, 0.5), quantile(ratios, 0.75), quantile(ratios, 0.95), ratios.back()};
 }
 
-CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence, std::int64_t alike) {
+CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence, std::int64_t group_size) {
     CriterionStudy study;
     std::vector<double> overturned;
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     struct Wave {
         double lowest_fall = none, highest_stand = none;
-        bool said_safe = false, safe_fell = false, said_uplifted = false, uplifted_fell = false;
+        bool predicted_safe = false, safe_fell = false, safe_uplifted = false, uplifted_fell = false;
     };
     auto const numbers = numbers_of_waves(trials);
     std::vector<Wave> waves(numbers.waves);
@@ -36,13 +36,13 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
     for (std::size_t i = 0; i < trials.size(); ++i) {
         auto const& trial = trials[i];
         auto& wave = waves[numbers.of_trial[i]];
-        study.counts.add(trial.said_safe(), trial.overturned);
-        if (trial.said_safe()) {
-            wave.said_safe = true;
+        study.counts.add(trial.predicted_safe(), trial.overturned);
+        if (trial.predicted_safe()) {
+            wave.predicted_safe = true;
             wave.safe_fell = wave.safe_fell || trial.overturned;
             if (trial.uplifted || trial.overturned) {
                 ++uplifted;
-                wave.said_uplifted = true;
+                wave.safe_uplifted = true;
                 wave.uplifted_fell = wave.uplifted_fell || trial.overturned;
             }
         }
@@ -54,17 +54,17 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
         }
     }
     auto const& c = study.counts;
-    study.safe_but_overturned = share_of(c.false_safe, c.false_safe + c.true_safe, confidence, alike);
-    study.overturned_said_safe = share_of(c.false_safe, c.false_safe + c.true_overturn, confidence, alike);
-    study.unsafe_but_stood = share_of(c.false_alarm, c.false_alarm + c.true_overturn, confidence, alike);
-    study.stood_said_unsafe = share_of(c.false_alarm, c.false_alarm + c.true_safe, confidence, alike);
-    study.safe_uplifted_but_overturned = share_of(c.false_safe, uplifted, confidence, alike);
-    auto const by_waves = [&](bool Wave::*said, bool Wave::*fell) {
-        return share_of(std::ranges::count(waves, true, fell), std::ranges::count(waves, true, said), confidence,
-                        alike);
+    study.safe_but_overturned = share_of(c.false_safe, c.false_safe + c.true_safe, confidence, group_size);
+    study.overturned_predicted_safe = share_of(c.false_safe, c.false_safe + c.true_overturn, confidence, group_size);
+    study.unsafe_but_stood = share_of(c.false_alarm, c.false_alarm + c.true_overturn, confidence, group_size);
+    study.stood_predicted_unsafe = share_of(c.false_alarm, c.false_alarm + c.true_safe, confidence, group_size);
+    study.safe_uplifted_but_overturned = share_of(c.false_safe, uplifted, confidence, group_size);
+    auto const by_waves = [&](bool Wave::*predicted, bool Wave::*fell) {
+        return share_of(std::ranges::count(waves, true, fell), std::ranges::count(waves, true, predicted), confidence,
+                        group_size);
     };
-    study.waves_safe_but_overturned = by_waves(&Wave::said_safe, &Wave::safe_fell);
-    study.waves_safe_uplifted_but_overturned = by_waves(&Wave::said_uplifted, &Wave::uplifted_fell);
+    study.waves_safe_but_overturned = by_waves(&Wave::predicted_safe, &Wave::safe_fell);
+    study.waves_safe_uplifted_but_overturned = by_waves(&Wave::safe_uplifted, &Wave::uplifted_fell);
     auto const values = [&](double Wave::*ratio) {
         std::vector<double> list;
         for (auto const& wave : waves) {

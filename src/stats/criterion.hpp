@@ -16,7 +16,7 @@ struct CriterionTrial {
     bool overturned = false;
     bool uplifted = true;  ///< it left the ground: what did not could not have fallen
 
-    [[nodiscard]] bool said_safe() const { return ratio < 1; }
+    [[nodiscard]] bool predicted_safe() const { return ratio < 1; }
 };
 
 /// A share with its exact interval.
@@ -26,8 +26,8 @@ struct Share {
 
     [[nodiscard]] double value() const { return static_cast<double>(count) / static_cast<double>(of); }
 };
-/// \param alike so many of them share what was drawn, and count as one in the interval
-[[nodiscard]] Share share_of(std::int64_t count, std::int64_t of, double confidence, std::int64_t alike = 1);
+/// \param group_size so many of them share what was drawn, and count as one in the interval
+[[nodiscard]] Share share_of(std::int64_t count, std::int64_t of, double confidence, std::int64_t group_size = 1);
 
 /// Quantiles of the ratio; empty if there was no trial of that kind.
 struct RatioQuantiles {
@@ -40,9 +40,9 @@ struct CriterionStudy {
     Confusion counts;
     Share safe_but_overturned;           ///< of all trials predicted safe: the share that must be 0
     Share safe_uplifted_but_overturned;  ///< of trials that uplifted: no other tests the criterion
-    Share overturned_said_safe;          ///< of all trials that overturned
+    Share overturned_predicted_safe;     ///< of all trials that overturned
     Share unsafe_but_stood;              ///< of all trials predicted unsafe: the false alarms
-    Share stood_said_unsafe;             ///< of all trials that stood
+    Share stood_predicted_unsafe;        ///< of all trials that stood
     /// Share of the waves with a trial predicted safe in which such a trial overturned. Trials of one wave are not
     /// independent, waves are.
     Share waves_safe_but_overturned;
@@ -51,8 +51,8 @@ struct CriterionStudy {
     std::optional<RatioQuantiles> first_overturning;  ///< of each wave the lowest ratio that overturned
     std::optional<RatioQuantiles> highest_standing;   ///< of each wave the highest ratio that stood
 };
-/// \param alike so many waves share what was drawn, and count as one in intervals
+/// \param group_size so many waves share what was drawn, and count as one in intervals
 [[nodiscard]] CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence,
-                                             std::int64_t alike = 1);
+                                             std::int64_t group_size = 1);
 
 }  // namespace overturn

@@ -42,7 +42,7 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     if (data.points.empty()) {
         return;
     }
-    fit.alike = data.points.front().alike;
+    fit.group_size = data.points.front().group_size;
     fit.lowest = std::exp(data.points.front().log_intensity);
     fit.highest = std::exp(data.points.back().log_intensity);
     raise_if(fit, data.points.size() == 2, FragilityFlag::two_levels);
@@ -75,8 +75,8 @@ void add_betas(FragilityFit& fit, FragilityRequest const& request) {
     fit.beta_u_drawn = request.split ? request.split->beta_u : 0;
     fit.beta_u = std::hypot(fit.beta_u_drawn, request.beta_u);
     // What was drawn and moves nothing, a mass, says nothing of what is not known.
-    bool const told_apart = request.split && (request.split->moves_median() || request.beta_u > 0);
-    fit.beta_u_known = fit.beta_u > 0 && (!request.drawn || told_apart);
+    bool const separated = request.split && (request.split->moves_median() || request.beta_u > 0);
+    fit.beta_u_known = fit.beta_u > 0 && (!request.drawn || separated);
 }
 
 void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest const& request) {
@@ -196,23 +196,23 @@ FragilityData FragilityData::of_stripes(std::span<Stripe const> stripes) {
     for (auto const& stripe : stripes) {
         if (auto const open = stripe.trials - stripe.decided(); open > 0) {
             data.open_points.push_back(
-                {std::log(stripe.amplitude), 0, 0, static_cast<double>(open), static_cast<double>(stripe.alike)});
+                {std::log(stripe.amplitude), 0, 0, static_cast<double>(open), static_cast<double>(stripe.group_size)});
         }
     }
     return data;
 }
 
 FragilityData FragilityData::of_trials(std::vector<SingleTrial> trials, bool waves_shared,
-                                       std::vector<SingleTrial> open, std::int64_t lost, std::int64_t alike) {
+                                       std::vector<SingleTrial> open, std::int64_t lost, std::int64_t group_size) {
     FragilityData data;
     data.kind = Kind::singles;
     data.points = points_of(trials, most_cells);
     for (auto& point : data.points) {
-        point.alike = static_cast<double>(alike);
+        point.group_size = static_cast<double>(group_size);
     }
     data.open_points = points_of(open, most_cells);
     for (auto& point : data.open_points) {
-        point = {point.log_intensity, 0, 0, point.trials, static_cast<double>(alike)};
+        point = {point.log_intensity, 0, 0, point.trials, static_cast<double>(group_size)};
     }
     if (!data.points.empty()) {
         data.points.back().undecided = static_cast<double>(lost) + static_cast<double>(open.size());
@@ -252,7 +252,7 @@ std::vector<FragilityPoint> with_undecided(FragilityData const& data, bool falle
     for (auto const& open : data.open_points) {
         auto at = std::ranges::find(points, open.log_intensity, &FragilityPoint::log_intensity);
         if (at == points.end()) {
-            at = points.insert(at, {open.log_intensity, 0, 0, 0, open.alike});
+            at = points.insert(at, {open.log_intensity, 0, 0, 0, open.group_size});
         }
         at->trials += open.undecided;
         at->overturned += fallen ? open.undecided : 0;

@@ -54,15 +54,15 @@ struct FragilityData {
     std::vector<SingleTrial> trials;
     std::vector<SingleTrial> open;            ///< those without a verdict, where they were tried
     std::vector<FragilityPoint> open_points;  ///< the same counted: only `undecided` is not 0
-    bool waves_shared = false;                ///< one wave, or waves that are alike, have several trials
+    bool waves_shared = false;                ///< one wave, or waves that share a draw, have several trials
     bool waves_left_out = false;              ///< `trials` are the first of more than are held
 
     [[nodiscard]] static FragilityData of_stripes(std::span<Stripe const> stripes);
     /// Single trials of a continuous measure. \param open those without a verdict; \param lost further ones, whose
-    /// measure is not known \param alike so many trials share what was drawn
+    /// measure is not known \param group_size so many trials share what was drawn
     [[nodiscard]] static FragilityData of_trials(std::vector<SingleTrial> trials, bool waves_shared,
                                                  std::vector<SingleTrial> open = {}, std::int64_t lost = 0,
-                                                 std::int64_t alike = 1);
+                                                 std::int64_t group_size = 1);
 };
 
 /// An intensity at which P is wanted.
@@ -92,7 +92,7 @@ struct SeenBound {
     double from = 0, to = 0;           ///< intensities
     double units = 0, overturned = 0;  ///< trials; distinct waves where single trials share them; no units: none there
     Interval probability;
-    double alike = 1;       ///< so many units share what was drawn
+    double group_size = 1;  ///< so many units share what was drawn
     bool of_waves = false;  ///< units are distinct waves, or groups of those that share what was drawn
 };
 
@@ -102,7 +102,7 @@ struct Neighbours {
 
     [[nodiscard]] Interval bounds() const { return {below.probability.lower, above.probability.upper}; }
     /// Did nothing overturn in both, or everything?
-    [[nodiscard]] bool alike() const {
+    [[nodiscard]] bool same_end() const {
         return below.overturned + above.overturned == 0
                || (below.overturned == below.units && above.overturned == above.units);
     }
@@ -115,7 +115,7 @@ struct QuotedProbability {
     std::optional<double> curve;        ///< of the curve, whatever it is worth there
     Interval bounds;                    ///< [0, 1] where nothing is known
     enum class Source { none, curve, stripe, neighbours };
-    /// Source of the bounds: stripe where all trials there ended alike, or no curve describes the data; likewise
+    /// Source of the bounds: stripe where all trials there ended the same way, or no curve describes the data; likewise
     /// neighbours, where no stripe lies there but one on either side.
     Source source = Source::none;
     double trials = 0, overturned = 0;  ///< seen right there
@@ -148,8 +148,8 @@ struct FragilityFit {
     Passing passing = Passing::overturned;
     FragilityFlags flags = 0;
     double trials = 0, overturned = 0, undecided = 0;
-    std::int64_t waves = 0;          ///< distinct, groups of alike ones as one; 0: not known
-    double alike = 1;                ///< waves that share what was drawn
+    std::int64_t waves = 0;          ///< distinct, a group as one; 0: not known
+    double group_size = 1;           ///< waves that share what was drawn
     double lowest = 0, highest = 0;  ///< intensities that were tried: the curve is drawn solid between them
     double lowest_proportion = 0;    ///< of the lowest stripe (or tenth of the trials) in which anything overturned
 
@@ -203,7 +203,7 @@ struct FragilityFit {
 };
 
 /// Confidences of the curves that are reported.
-inline constexpr std::array told_confidences{0.05, 0.5, 0.95};
+inline constexpr std::array reported_confidences{0.05, 0.5, 0.95};
 
 [[nodiscard]] FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& request);
 

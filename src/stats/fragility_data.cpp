@@ -20,7 +20,7 @@ void add(FragilityPoint& to, FragilityPoint const& what) {
     to.trials = trials;
     to.overturned += what.overturned;
     to.undecided += what.undecided;
-    to.alike = std::max(to.alike, what.alike);
+    to.group_size = std::max(to.group_size, what.group_size);
 }
 
 // The ends of what stood and of what overturned.
@@ -128,7 +128,7 @@ std::vector<FragilityPoint> points_of(std::span<Stripe const> stripes) {
             points.push_back({std::log(stripe.amplitude), static_cast<double>(stripe.decided()),
                               static_cast<double>(stripe.overturned),
                               static_cast<double>(stripe.trials - stripe.decided()),
-                              static_cast<double>(stripe.alike)});
+                              static_cast<double>(stripe.group_size)});
         }
     }
     std::sort(points.begin(), points.end(),

@@ -14,7 +14,7 @@ struct SingleTrial {
     double intensity = 0;   ///< > 0, SI unit of the measure
     std::int64_t wave = 0;  ///< trials of one are resampled together
     bool overturned = false;
-    std::int64_t id = 0;  ///< identity of its wave, where waves that are alike count as one above
+    std::int64_t id = 0;  ///< identity of its wave, where waves that share a draw count as one above
 };
 
 /// Trials at one intensity, or so near to each other that it makes no difference. Counts, exact in a double.
@@ -22,12 +22,12 @@ struct FragilityPoint {
     double log_intensity = 0;  ///< ln of the SI value; the mean of the trials'
     double trials = 0;         ///< decided ones
     double overturned = 0;
-    double undecided = 0;  ///< tried there without a verdict
-    double alike = 1;      ///< so many trials share what was drawn, and count as one
+    double undecided = 0;   ///< tried there without a verdict
+    double group_size = 1;  ///< so many trials share what was drawn, and count as one
 
     [[nodiscard]] double probability() const { return overturned / trials; }
     /// Trials that are independent, at least.
-    [[nodiscard]] double groups() const { return trials / alike; }
+    [[nodiscard]] double groups() const { return trials / group_size; }
 };
 
 /// Stripes that decided anything, rising.

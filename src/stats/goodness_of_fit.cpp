@@ -10,7 +10,7 @@ namespace overturn {
 namespace {
 
 struct Group {
-    double trials = 0, overturned = 0, expected = 0;  // groups of alike trials count as one
+    double trials = 0, overturned = 0, expected = 0;  // a group of trials counts as one
 
     void add(Group const& other) {
         trials += other.trials;
@@ -62,7 +62,7 @@ std::vector<Group> groups_of(std::span<FragilityPoint const> points, ProbitLine 
     std::vector<Group> groups;
     double before = 0;
     for (auto const& point : points) {
-        Group const own{point.groups(), point.overturned / point.alike,
+        Group const own{point.groups(), point.overturned / point.group_size,
                         point.groups() * gsl_cdf_ugaussian_P(line.at(point.log_intensity))};
         if (!singles || groups.empty() || before >= share * static_cast<double>(groups.size())) {
             groups.push_back(own);

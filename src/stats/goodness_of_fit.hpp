@@ -25,7 +25,7 @@ struct GoodnessOfFit {
     [[nodiscard]] double least_p_value() const { return std::min(1.0, 2 * std::min(p_value, stripe_p_value)); }
 };
 
-/// The deviance and the exact tails; groups of alike trials count as one each (Rao & Scott 1984 with the largest design
+/// The deviance and the exact tails; a group of trials counts as one (Rao & Scott 1984 with the largest design
 /// effect there is). Single trials are put into ten groups (Hosmer & Lemeshow 1980); then neighbours are pooled until
 /// the curve expects at least one to fall and one to stand in each. The chance of the deviance is that of chi squared
 /// where at most twenty groups expect five or more (Cochran 1954); elsewhere 1, until `test_shape` finds it.

@@ -54,7 +54,7 @@ MonotoneTest test_monotone(std::span<FragilityPoint const> points) {
     for (auto const& pool : pools) {
         test.deviance -= 2 * free_likelihood(pool.overturned, pool.trials);
     }
-    test.deviance /= points.empty() ? 1 : points.front().alike;
+    test.deviance /= points.empty() ? 1 : points.front().group_size;
     // Equal neighbours are pooled without any cost and violate nothing.
     std::size_t distinct = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -27,8 +27,7 @@ struct PooledPoints {
 
 /// Test whether the points rise.
 struct MonotoneTest {
-    double deviance =
-        0;  ///< of the isotonic estimate against a free one for every point; groups of alike trials as one
+    double deviance = 0;  ///< of the isotonic estimate against a free one for every point; a group of trials as one
     int degrees_of_freedom = 0;  ///< points less pools; 0: the proportions rise throughout
     double p_value = 1;          ///< of so much by chance (`test_shape`)
 };

@@ -58,8 +58,8 @@ JointPair pair_of(Levels const& levels, std::size_t a, std::size_t b) {
     return pair;
 }
 
-Stripe any_of(double amplitude, std::vector<JointTrial const*> const& trials, std::int64_t alike) {
-    Stripe stripe{.amplitude = amplitude, .alike = alike};
+Stripe any_of(double amplitude, std::vector<JointTrial const*> const& trials, std::int64_t group_size) {
+    Stripe stripe{.amplitude = amplitude, .group_size = group_size};
     for (auto const* trial : trials) {
         bool const fell = std::ranges::count(trial->ends, JointEnd::overturned) > 0;
         bool const open = std::ranges::count(trial->ends, JointEnd::undecided) > 0;
@@ -87,7 +87,7 @@ double independent(std::vector<JointTrial const*> const& trials) {
 
 }  // namespace
 
-JointBodies study_joint(std::span<JointTrial const> trials, std::int64_t alike) {
+JointBodies study_joint(std::span<JointTrial const> trials, std::int64_t group_size) {
     JointBodies joint;
     Levels levels;
     for (auto const& trial : trials) {
@@ -95,7 +95,7 @@ JointBodies study_joint(std::span<JointTrial const> trials, std::int64_t alike) 
         levels[trial.amplitude].push_back(&trial);
     }
     for (auto const& [amplitude, here] : levels) {
-        joint.any.push_back(any_of(amplitude, here, alike));
+        joint.any.push_back(any_of(amplitude, here, group_size));
         joint.if_independent.push_back(independent(here));
     }
     auto const bodies = trials.empty() ? 0 : trials.front().ends.size();

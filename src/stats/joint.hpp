@@ -24,7 +24,8 @@ struct JointTrial {
 /// Correlation of two bodies, over trials that decide both.
 struct JointPair {
     std::size_t first = 0, second = 0;
-    /// Correlation of the two outcomes (phi coefficient) at each level; nothing where either ended alike throughout.
+    /// Correlation of the two outcomes (phi coefficient) at each level; nothing where either ended the same way
+    /// throughout.
     std::vector<std::optional<double>> phi;
     /// The same pooled: covariances within levels, summed, over the root of the variances' sums.
     std::optional<double> pooled;
@@ -38,7 +39,7 @@ struct JointBodies {
     std::vector<JointPair> pairs;
 };
 
-/// \param alike so many waves share what was drawn \pre every trial has the same number of ends
-[[nodiscard]] JointBodies study_joint(std::span<JointTrial const> trials, std::int64_t alike = 1);
+/// \param group_size so many waves share what was drawn \pre every trial has the same number of ends
+[[nodiscard]] JointBodies study_joint(std::span<JointTrial const> trials, std::int64_t group_size = 1);
 
 }  // namespace overturn

@@ -50,12 +50,12 @@ Interval clopper_pearson(std::int64_t successes, std::int64_t trials, double con
     return {.lower = lower_bound(successes, trials, tail), .upper = 1 - lower_bound(trials - successes, trials, tail)};
 }
 
-Interval clopper_pearson_of_groups(std::int64_t least, std::int64_t most, std::int64_t trials, std::int64_t alike,
+Interval clopper_pearson_of_groups(std::int64_t least, std::int64_t most, std::int64_t trials, std::int64_t group_size,
                                    double confidence) {
-    OVERTURN_EXPECT(alike >= 1 && least <= most);
-    auto const groups = trials > 0 ? std::max<std::int64_t>(1, trials / alike) : 0;
-    auto const begun = (most + alike - 1) / alike;
-    return {clopper_pearson(std::min(least / alike, groups), groups, confidence).lower,
+    OVERTURN_EXPECT(group_size >= 1 && least <= most);
+    auto const groups = trials > 0 ? std::max<std::int64_t>(1, trials / group_size) : 0;
+    auto const begun = (most + group_size - 1) / group_size;
+    return {clopper_pearson(std::min(least / group_size, groups), groups, confidence).lower,
             clopper_pearson(std::min(begun, groups), groups, confidence).upper};
 }
 

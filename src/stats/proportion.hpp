@@ -16,11 +16,11 @@ struct Interval {
 /// \pre 0 <= successes <= trials; 0 < confidence < 1
 [[nodiscard]] Interval clopper_pearson(std::int64_t successes, std::int64_t trials, double confidence);
 
-/// The same of trials in groups of `alike`, which share what was drawn: a group counts as one trial, so that the
+/// The same of trials in groups of `group_size`, which share what was drawn: a group counts as one trial, so that the
 /// interval is that of whole groups where those of a group end together, and wider than need be where they do not
-/// (a design effect of `alike`, the largest there is: Kish 1965). Parts of a group are rounded outwards.
+/// (a design effect of `group_size`, the largest there is: Kish 1965). Parts of a group are rounded outwards.
 /// \param least, most successes that are certain, and possible
 [[nodiscard]] Interval clopper_pearson_of_groups(std::int64_t least, std::int64_t most, std::int64_t trials,
-                                                 std::int64_t alike, double confidence);
+                                                 std::int64_t group_size, double confidence);
 
 }  // namespace overturn

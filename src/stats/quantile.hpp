@@ -32,8 +32,9 @@ struct SampleQuantile {
 };
 
 /// \param sorted known values, the last ones perhaps infinite \param unplaced further ones that may lie anywhere: they
-/// widen the interval \param alike so many of the sample share what was drawn, and count as one value in the interval
+/// widen the interval \param group_size so many of the sample share what was drawn, and count as one value in the
+/// interval
 [[nodiscard]] SampleQuantile sample_quantile(std::span<double const> sorted, std::int64_t unplaced, double q,
-                                             double confidence, std::int64_t alike = 1);
+                                             double confidence, std::int64_t group_size = 1);
 
 }  // namespace overturn

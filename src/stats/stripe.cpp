@@ -10,11 +10,11 @@ double Stripe::probability() const {
 }
 
 Interval Stripe::interval(double confidence) const {
-    return clopper_pearson_of_groups(overturned, overturned + trials - decided(), trials, alike, confidence);
+    return clopper_pearson_of_groups(overturned, overturned + trials - decided(), trials, group_size, confidence);
 }
 
-void Confusion::add(bool said_safe, bool overturned) {
-    auto& cell = said_safe ? (overturned ? false_safe : true_safe) : (overturned ? true_overturn : false_alarm);
+void Confusion::add(bool predicted_safe, bool overturned) {
+    auto& cell = predicted_safe ? (overturned ? false_safe : true_safe) : (overturned ? true_overturn : false_alarm);
     ++cell;
 }
 

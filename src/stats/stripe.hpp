@@ -14,14 +14,14 @@ struct Stripe {
     std::int64_t trials = 0;
     std::int64_t overturned = 0;
     std::int64_t failed = 0;
-    std::int64_t undecided = 0;  ///< besides those
-    std::int64_t alike = 1;      ///< so many trials share what was drawn, and count as one in the interval
+    std::int64_t undecided = 0;   ///< besides those
+    std::int64_t group_size = 1;  ///< so many trials share what was drawn, and count as one in the interval
 
     [[nodiscard]] std::int64_t decided() const { return trials - failed - undecided; }
     /// Overturned over decided; NaN where nothing is decided.
     [[nodiscard]] double probability() const;
     /// Clopper-Pearson bounds over all trials: the lower one as if every undecided body stood, the upper one as if it
-    /// fell. Of trials that are alike: clopper_pearson_of_groups.
+    /// fell. Of trials in groups: clopper_pearson_of_groups.
     [[nodiscard]] Interval interval(double confidence) const;
 };
 
@@ -35,8 +35,8 @@ struct Confusion {
     std::int64_t undecided_safe = 0;    ///< predicted safe, no verdict
     std::int64_t undecided_unsafe = 0;  ///< predicted unsafe, no verdict
 
-    void add(bool said_safe, bool overturned);
-    void add_undecided(bool said_safe) { ++(said_safe ? undecided_safe : undecided_unsafe); }
+    void add(bool predicted_safe, bool overturned);
+    void add_undecided(bool predicted_safe) { ++(predicted_safe ? undecided_safe : undecided_unsafe); }
 };
 
 }  // namespace overturn

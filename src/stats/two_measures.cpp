@@ -49,7 +49,7 @@ std::optional<ProbitRegression> regress_alone(ProbitDesign const& both, Index co
 }
 
 // constant, slopes, beta: of the measures as they are.
-std::array<double, 4> told(Eigen::VectorXd const& coefficients, Eigen::Vector2d const& means) {
+std::array<double, 4> in_logarithms(Eigen::VectorXd const& coefficients, Eigen::Vector2d const& means) {
     double const along = coefficients[1] + coefficients[2];
     return {coefficients[0] - coefficients.tail<2>().dot(means), coefficients[1], coefficients[2],
             along > 0 ? 1 / along : unknown};
@@ -74,12 +74,12 @@ std::optional<TwoMeasureFit> fit_two_measures(std::vector<TwoMeasureTrial> const
     std::array<std::vector<double>, 4> replicates;
     for (int r = 0; r < key.replicates; ++r) {
         auto const again = both->reweighted(times_drawn(key, r, both->waves.size()));
-        auto const values = again ? told(*again, data.means) : std::array{unknown, unknown, unknown, unknown};
+        auto const values = again ? in_logarithms(*again, data.means) : std::array{unknown, unknown, unknown, unknown};
         for (std::size_t k = 0; k < values.size(); ++k) {
             replicates.at(k).push_back(values.at(k));
         }
     }
-    auto const values = told(both->coefficients, data.means);
+    auto const values = in_logarithms(both->coefficients, data.means);
     auto const estimate = [&](std::size_t k, Interval const& widest) {
         return Estimate{values.at(k), middle_of(replicates.at(k), confidence, widest)};
     };

@@ -28,7 +28,7 @@ struct Estimate {
 struct TwoMeasureFit {
     Estimate constant;
     std::array<Estimate, 2> slopes;
-    /// 1 / (slopes[0] + slopes[1]): the lognormal standard deviation along motions that scale both measures alike.
+    /// 1 / (slopes[0] + slopes[1]): the lognormal standard deviation along motions that scale both measures equally.
     Estimate beta;
     std::size_t better = 0;    ///< of the two measures the one that describes the trials better alone
     double deviance_gain = 0;  ///< by which both together fall below that one alone; about 1 by chance (chi squared
@@ -37,8 +37,8 @@ struct TwoMeasureFit {
 };
 
 /// Maximum likelihood by Newton's method; intervals from resampled waves, one Newton step each. Nothing where the
-/// trials hold no such curve: all ended alike or are separated, the measures are one another's multiple, or P does not
-/// rise along both.
+/// trials hold no such curve: all ended the same way or are separated, the measures are one another's multiple, or P
+/// does not rise along both.
 [[nodiscard]] std::optional<TwoMeasureFit> fit_two_measures(std::vector<TwoMeasureTrial> const& trials,
                                                             double confidence, BootstrapKey const& key);
 

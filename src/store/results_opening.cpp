@@ -36,7 +36,7 @@ std::int64_t version_of(File const& file) {
     }
 }
 
-constexpr char said_by_itself = '!';  // before a message that needs nothing added
+constexpr char stated_by_itself = '!';  // before a message that needs nothing added
 
 // Distinguished from damage: no right to read, and a file being written. A file system without locks hinders nobody.
 void require_readable(std::filesystem::path const& path) {
@@ -123,13 +123,13 @@ void ResultsReader::refuse(Seal seal, std::string_view format) {
             open(format);
         } catch (InputError const& error) {
             if (seal == Seal::missing) {
-                return std::string(1, said_by_itself) + error.what();
+                return std::string(1, stated_by_itself) + error.what();
             }
             return "what it says of itself changed";
         }
         return what_changed();
     });
-    if (why && why->starts_with(said_by_itself)) {
+    if (why && why->starts_with(stated_by_itself)) {
         throw InputError(why->substr(1));
     }
     throw InputError(damaged(path_, why.value_or("so that HDF5 cannot read it")));
@@ -147,13 +147,13 @@ std::string ResultsReader::digest_faults() const {
         return fmt::format("/{} is gone", list);
     }
     try {
-        auto const told = content(list);
-        if (text(digest_of_all) != sha256(told)) {
+        auto const listed = content(list);
+        if (text(digest_of_all) != sha256(listed)) {
             return fmt::format("/{} is not as it was written", list);
         }
         Object const at(checked(H5Oopen(opened_->file.id(), list.c_str(), H5P_DEFAULT), "open " + list));
         bool const stretched = H5Aexists(at.id(), digest_stretch) > 0;
-        return differences(told, digests_of(opened_->file, stretched ? ContentHash::stretches : ContentHash::whole));
+        return differences(listed, digests_of(opened_->file, stretched ? ContentHash::stretches : ContentHash::whole));
     } catch (SystemError const&) {
         return fmt::format("/{} or what it lists cannot be read", list);
     }

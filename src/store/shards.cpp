@@ -300,7 +300,7 @@ void ShardFolder::remove() const {
     std::error_code ignored;
     each_beside_record(folder_, [&](ShardEntry const& entry) {
         auto const file = entry.finished_name();
-        if (file == record_name || file.ends_with(segment_ending) || file == Claim::file_name || entry.is_group()) {
+        if (file == record_name || file.ends_with(segment_ending) || file == BlockLock::file_name || entry.is_group()) {
             fs::remove(entry.path, ignored);  // folders stay if anything foreign lies in them
         }
     });

@@ -1,4 +1,4 @@
-// Requirement R-303: model and prototype rock alike under the similarity law, and scaling forth and back changes
+// Requirement R-303: model and prototype rock by the similarity law, and scaling forth and back changes
 // nothing.
 #include "body/similarity.hpp"
 

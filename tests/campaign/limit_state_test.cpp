@@ -113,7 +113,7 @@ TEST(LimitState, LinesSayWhereAFallDoesNotPassIt) {
     std::vector<std::string> said;
     std::vector<std::string> definitions;
     for (auto const& limit : limits) {
-        said.push_back(said_name(limit, limits));
+        said.push_back(full_name(limit, limits));
         definitions.push_back(definition_of(limit, limits));
     }
     EXPECT_EQ(said, (std::vector<std::string>{"overturning", "slides without overturning", "tilts",

@@ -121,14 +121,14 @@ TEST(Site, TheOtherCaskIsOfTheSameWaveAndLevel) {
             return right ? own(spec, all, "edge_x_most", place) - b : -own(spec, all, "edge_x_least", place) - b;
         };
         auto const j = i / 4 * 4 + 2 + i % 2;
-        double const alike = 2 * std::max(slip(i, true), slip(i, false));  // it is as far to either side
-        double const apart = i == j ? alike : std::max(slip(i, true) + slip(j, false), slip(i, false) + slip(j, true));
+        double const both = 2 * std::max(slip(i, true), slip(i, false));  // it is as far to either side
+        double const apart = i == j ? both : std::max(slip(i, true) + slip(j, false), slip(i, false) + slip(j, true));
         double const leans = height_m * (std::sin(row.peak_rotation_rad) + std::sin(other.peak_rotation_rad));
         EXPECT_NEAR(row.least_clearance_m, 0.9 - apart - leans, 1e-12) << i;
         auto const alone = run_trial(spec, waves[i / 4], row.body, row.level).rows.front();
         EXPECT_EQ(alone.least_clearance_m, row.least_clearance_m) << i;
     }
-    EXPECT_NE(all.rows[1].peak_slip_m, all.rows[3].peak_slip_m) << "they are not alike";
+    EXPECT_NE(all.rows[1].peak_slip_m, all.rows[3].peak_slip_m) << "they differ";
 }
 
 // what says nothing, or cannot be meant, is refused at its key.

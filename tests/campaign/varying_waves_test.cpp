@@ -196,11 +196,11 @@ TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsReported) {
     auto const two = clopper_pearson(stripe.overturned / 2, 2, 0.95);
     EXPECT_EQ(stripe.interval(0.95).lower, two.lower) << "two targets, of whatever number of waves";
     auto const analysis = analyse(spec, statistics, {});
-    EXPECT_EQ(analysis[0].over_levels().fit.alike, 2);
+    EXPECT_EQ(analysis[0].over_levels().fit.group_size, 2);
     EXPECT_EQ(analysis[0].over_levels().fit.waves, 2);
     EXPECT_EQ(analysis[0].over_levels().fit.method, FragilityFit::Method::bootstrap_by_waves);
     for (auto const& fit : analysis[0].fragility) {
-        EXPECT_EQ(fit.fit.alike, 2) << fit.name;
+        EXPECT_EQ(fit.fit.group_size, 2) << fit.name;
     }
     auto const one_level =
         campaign_from(varying_waves + "per_target=2\n" + testing::type_b + testing::levels("values=[6]\n"));

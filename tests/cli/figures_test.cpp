@@ -214,7 +214,7 @@ TEST_F(Figures, MissingPiecesAreNamed) {
     use_interpreter("exec " OVERTURN_PYTHON " -S \"$@\"");  // without anybody's packages
     fails("apt-get install python3-numpy python3-matplotlib");
     use_interpreter("echo 'Traceback' >&2; echo 'ValueError: broken' >&2; exit 1");
-    fails("Python said: ValueError: broken");
+    fails("Python: ValueError: broken");
 }
 
 TEST_F(Figures, BadNamesAreRefusedBeforeAnyWork) {

@@ -94,7 +94,7 @@ class Kills : public ::testing::Test {
         }
     }
 
-    /// Ranks outlive a killed mpirun for up to three seconds and still hold their claim, which is said.
+    /// Ranks outlive a killed mpirun for up to three seconds and still hold their lock, which is reported.
     void resume_to_the_end(std::string const& unbroken) {
         Ended ended;
         ASSERT_TRUE(comes_true([&] {

@@ -28,7 +28,7 @@ class Leaving : public ::testing::Test {
 };
 
 /// The one line on stderr that says how to go on.
-void expect_told(Ended const& ended, std::string const& command) {
+void expect_reported(Ended const& ended, std::string const& command) {
     EXPECT_EQ(ended.code, 3) << ended.err;
     auto const at = ended.err.find("stopped early: ");
     ASSERT_NE(at, std::string::npos) << ended.err;
@@ -45,7 +45,7 @@ TEST_F(Leaving, WithinASecondOfSigterm) {
     auto const begin = Clock::now();
     running.signal(SIGTERM);
 
-    expect_told(running.wait(), "overturn run c.toml -o c.h5 --resume");
+    expect_reported(running.wait(), "overturn run c.toml -o c.h5 --resume");
     EXPECT_LT(seconds_since(begin), 2) << "a second, and another for a busy machine";
     EXPECT_EQ(blocks_done(folder, "c.h5"), 0);
 }
@@ -64,7 +64,7 @@ TEST_F(Leaving, AtOnceOnASecondSignal) {
 
     EXPECT_EQ(running.wait().code, 128 + SIGUSR1);
     auto const resumed = overturn(folder, {"run", "c.toml", "--resume", "--max-walltime", "0.1 s"});
-    expect_told(resumed, "overturn run c.toml -o c.h5 --resume");
+    expect_reported(resumed, "overturn run c.toml -o c.h5 --resume");
     EXPECT_NE(resumed.err.find("stopped early: 0 of "), std::string::npos) << resumed.err;
 }
 
@@ -80,7 +80,7 @@ TEST_F(Leaving, BeforeTheWalltimeIsUp) {
         }
         auto const ended = execute(folder, mpirun(2, words));
 
-        expect_told(ended, "overturn run c.toml -o c.h5 --resume --part 1/2");
+        expect_reported(ended, "overturn run c.toml -o c.h5 --resume --part 1/2");
         EXPECT_LT(seconds_since(begin), walltime_s + 6) << "one second that mpirun waits, more on a busy machine";
         if (blocks_done(folder, "c.h5") > 0) {
             return;

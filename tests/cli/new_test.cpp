@@ -43,10 +43,10 @@ class New : public ::testing::Test {
         ASSERT_EQ(ended.code, 0) << ended.err;
         auto const plan = overturn(folder, {"plan", "s.toml", "--json"});
         ASSERT_EQ(plan.code, 0) << plan.err << folder.read("s.toml");
-        expect_assumptions_said(json::parse(plan.out)["assumptions"]["inputs"]);
+        expect_assumptions_listed(json::parse(plan.out)["assumptions"]["inputs"]);
     }
     /// Every line of an assumption says why; those of keys are what plan lists, each with that reason.
-    void expect_assumptions_said(json const& inputs) const {
+    void expect_assumptions_listed(json const& inputs) const {
         std::istringstream lines(folder.read("s.toml"));
         std::regex const assumption("# assumed: .+, because .+");
         std::string line, before;

@@ -154,7 +154,7 @@ TEST_F(Rare, AnswersHaveTheirKeys) {
     EXPECT_TRUE(rare[1].at("reason").is_null());
 }
 
-// what scatters about a body is drawn with each wave, by plain trials and by subset simulation alike, as a
+// what scatters about a body is drawn with each wave, by plain trials and by subset simulation, as a
 // campaign's own trials draw it; and rows of it replay.
 TEST_F(Rare, WhatScattersRidesAlong) {
     auto const scattering = [&](std::string const& rare) {

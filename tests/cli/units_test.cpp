@@ -75,8 +75,8 @@ class Units : public ::testing::Test {
 };
 
 // Every number of a curve over the levels, found in the table as the JSON's over the unit's SI value.
-void expect_told(std::string const& table, json const& all, std::string const& measure, std::string const& unit,
-                 double si) {
+void expect_reported(std::string const& table, json const& all, std::string const& measure, std::string const& unit,
+                     double si) {
     auto const columns = single_blanks(table);
     int curves = 0;
     for (auto const& curve : all["fragility"]) {
@@ -111,7 +111,7 @@ TEST_F(Units, CurvesQuotesAndNotesAreInThatOfTheLevels) {
     auto const [table, values] =
         fit("measure='pga'\nvalues=['300 gal','600 gal','800 gal','1200 gal','1500 gal']\ndesign_basis='600 gal'\n");
 
-    expect_told(table, values, "pga", "gal", 0.01);
+    expect_reported(table, values, "pga", "gal", 0.01);
     EXPECT_NE(table.find("1.5 x design basis, pga 900 gal"), std::string::npos) << table;
     EXPECT_EQ(table.find("m/s2"), std::string::npos) << table;
     // Stripes of the limit state, and quantiles level by level.
@@ -130,7 +130,7 @@ TEST_F(Units, CurvesQuotesAndNotesAreInThatOfTheLevels) {
 TEST_F(Units, MeasuresOfTheSameDimensionFollow) {
     auto const [table, values] = fit("measure='pgv'\nvalues=['30 kine','60 kine','80 kine','120 kine']\n");
 
-    expect_told(table, values, "v_wes", "kine", 0.01);
+    expect_reported(table, values, "v_wes", "kine", 0.01);
     EXPECT_NE(table.find("pga m/s2"), std::string::npos) << table;
 }
 
@@ -266,7 +266,7 @@ TEST_F(Units, JsonStaysSi) {
     EXPECT_EQ(in_gal["fragility"], in_si["fragility"]);
     EXPECT_EQ(in_gal["stripes"], in_si["stripes"]);
     EXPECT_EQ(in_gal["fragility"][0]["units"], "m/s2");
-    expect_told(table, in_si, "pga", "m/s2", 1);
+    expect_reported(table, in_si, "pga", "m/s2", 1);
 }
 
 }  // namespace

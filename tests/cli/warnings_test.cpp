@@ -63,7 +63,7 @@ class Warnings : public ::testing::Test {
         return found;
     }
 
-    void expect_said(std::string const& campaign, std::vector<std::string> const& parts) {
+    void expect_warned(std::string const& campaign, std::vector<std::string> const& parts) {
         for (auto const& all : said_of(campaign)) {
             std::string said;  // but that levels scale a record far, which such levels do
             std::istringstream lines(all);
@@ -106,7 +106,7 @@ TEST_F(Warnings, NoneForWhatIsUsual) {
 
 TEST_F(Warnings, InertiaOfThreeKilogramSquareMetres) {
     auto const tiny = replaced(body, "'uniform-block'", "3");
-    expect_said(records_campaign("pga", "'300 gal'", tiny), {"b: inertia 3 kg m2", "radius of gyration of 0.0154 m"});
+    expect_warned(records_campaign("pga", "'300 gal'", tiny), {"b: inertia 3 kg m2", "radius of gyration of 0.0154 m"});
     folder.write("f.toml", records_campaign("pga", "'300 gal'", tiny + "friction=0.5\n"));
     EXPECT_NE(planned(folder, {"f.toml"}).err.find("so low because inertia 3 kg m2"), std::string::npos);
     folder.write("tiny.toml", tiny);
@@ -116,7 +116,7 @@ TEST_F(Warnings, InertiaOfThreeKilogramSquareMetres) {
 
 TEST_F(Warnings, MassOf138Kilogram) {
     auto const light = "mass=138\nbase_width='3.4 m'\ncentre_height='2.6 m'\ninertia='uniform-block'\n";
-    expect_said(records_campaign("pga", "'300 gal'", light), {"b: mass 138 kg", "2.3 kg/m3", "kg, t or lb?"});
+    expect_warned(records_campaign("pga", "'300 gal'", light), {"b: mass 138 kg", "2.3 kg/m3", "kg, t or lb?"});
 }
 
 //
@@ -125,19 +125,19 @@ TEST_F(Warnings, CaskLooseOnItsPallet) {
         records_campaign("pga", "'300 gal'",
                          "base_width='3.4 m'\nparts=[{kind='cylinder', mass='117 t', diameter=2.5, "
                          "height=5.4, bottom=0.35}, {kind='box', mass='21 t', width=3.4, height=0.35}]\n");
-    expect_said(stacked, {"b: part 1 tips on the part below at 0.463 g", "before the whole body tips at 0.651 g"});
+    expect_warned(stacked, {"b: part 1 tips on the part below at 0.463 g", "before the whole body tips at 0.651 g"});
     ASSERT_EQ(overturn(folder, {"report", "c.h5", "-o", "c.html"}).code, 0);
     EXPECT_NE(folder.read("c.html").find("part 1 tips on the part below at 0.463 g"), std::string::npos);
 }
 
 TEST_F(Warnings, PgvOf5000Kine) {
-    expect_said(records_campaign("pgv", "50"), {"levels up to pgv 50 m/s = 5000 kine", "Write \"50 kine\""});
-    expect_said(records_campaign("pga", "300"), {"levels up to pga 300 m/s2 = 30000 gal", "Write \"300 gal\""});
+    expect_warned(records_campaign("pgv", "50"), {"levels up to pgv 50 m/s = 5000 kine", "Write \"50 kine\""});
+    expect_warned(records_campaign("pga", "300"), {"levels up to pga 300 m/s2 = 30000 gal", "Write \"300 gal\""});
 }
 
 TEST_F(Warnings, FactorsThatNoGroundHasShakenBy) {
-    expect_said(records_campaign("factor", "100"), {"wave 0 peaks at 10.2 g at the highest level, factor 100"});
-    expect_said(records_campaign("factor", "0.05"), {"wave 0 peaks at 5 gal even at the highest level"});
+    expect_warned(records_campaign("factor", "100"), {"wave 0 peaks at 10.2 g at the highest level, factor 100"});
+    expect_warned(records_campaign("factor", "0.05"), {"wave 0 peaks at 5 gal even at the highest level"});
 }
 
 TEST_F(Warnings, ScatteredFrictionSlidesInAShareOfDraws) {
@@ -151,7 +151,7 @@ TEST_F(Warnings, ScatteredFrictionSlidesInAShareOfDraws) {
 
 TEST_F(Warnings, StepOfOneSecond) {
     folder.write("r.csv", record(1, 401, 1));
-    expect_said(records_campaign(), {"record 0: time step of 1 s", "nothing above 0.5 Hz"});
+    expect_warned(records_campaign(), {"record 0: time step of 1 s", "nothing above 0.5 Hz"});
     for (auto const& verb : {std::vector<std::string>{"rock", "--body", "body.toml"}, {"spectrum"}}) {
         auto const ended = overturn(folder, joined(verb, {"--wave", "r.csv"}));
         EXPECT_NE(ended.err.find("warning: time step of 1 s"), std::string::npos) << ended.err;
@@ -160,7 +160,7 @@ TEST_F(Warnings, StepOfOneSecond) {
 
 TEST_F(Warnings, TwoSamples) {
     folder.write("r.csv", "time_s,acc (gal)\n0,100\n0.01,-100\n");
-    expect_said(records_campaign(), {"record 0: 2 samples only"});
+    expect_warned(records_campaign(), {"record 0: 2 samples only"});
     auto const ended = overturn(folder, {"spectrum", "--wave", "r.csv"});
     EXPECT_NE(ended.err.find("warning: 2 samples only"), std::string::npos) << ended.err;
 }

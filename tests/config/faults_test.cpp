@@ -34,7 +34,7 @@ std::vector<std::string> faults_in(std::string const& text) {
     return told;
 }
 
-void expect_told(std::string const& text, std::vector<std::string> const& parts) {
+void expect_reported(std::string const& text, std::vector<std::string> const& parts) {
     auto const told = faults_in(text);
     ASSERT_EQ(told.size(), parts.size()) << joined_faults(told);
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -49,7 +49,7 @@ TEST(Faults, NoneOfWhatIsAsDescribed) {
 }
 
 TEST(Faults, AllOfThemAreReported) {
-    expect_told(
+    expect_reported(
         "mass = '-3 t'\nbold = 1\ncolour = 2\nlevels = ['3 kg']\n[[parts]]\nshape = 'box'\n[[parts]]\n"
         "shape = 'bal'\nradius = [1]\n",
         {"x.toml:1:1: seed: missing", "x.toml:1:8: mass: -3 t, that is -3000 kg (must be above 0 kg)",
@@ -61,7 +61,8 @@ TEST(Faults, AllOfThemAreReported) {
 
 // a misspelt key that must be there is one fault, not two.
 TEST(Faults, AMisspeltKeyIsOne) {
-    expect_told("sede = 1\nfile = 'a'\n", {"x.toml:1:8: sede: unknown key (nothing reads it, and 'seed' is missing)"});
+    expect_reported("sede = 1\nfile = 'a'\n",
+                    {"x.toml:1:8: sede: unknown key (nothing reads it, and 'seed' is missing)"});
 }
 
 TEST(Faults, WhatStoppedAReaderStandsFirstAndOnce) {

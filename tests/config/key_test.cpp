@@ -12,13 +12,14 @@ namespace {
 using overturn::testing::expect_input_error;
 
 constexpr std::array shapes{Entry<int>{"square", "as wide as long", 1}, Entry<int>{"round", "a disc", 2}};
-constexpr Keys inner_keys{number_key("length", Dimension::length, Range::positive(), "how long"),
-                          word_key<shapes>("shape", "its outline").otherwise("square"),
-                          integer_key("count", 1, 9, "how many").otherwise(3),
-                          boolean_key("flat", "without bumps").otherwise(true),
-                          number_key("step", Dimension::time, Range::between(0, 1), "time step").otherwise(0.25),
-                          text_key("note", "free words").optional(),
-                          number_key("end", Dimension::time, Range::positive(), "end").otherwise_said("half of it")};
+constexpr Keys inner_keys{
+    number_key("length", Dimension::length, Range::positive(), "how long"),
+    word_key<shapes>("shape", "its outline").otherwise("square"),
+    integer_key("count", 1, 9, "how many").otherwise(3),
+    boolean_key("flat", "without bumps").otherwise(true),
+    number_key("step", Dimension::time, Range::between(0, 1), "time step").otherwise(0.25),
+    text_key("note", "free words").optional(),
+    number_key("end", Dimension::time, Range::positive(), "end").otherwise_in_words("half of it")};
 constexpr KeyTable inner_table{.meaning = "a base", .keys = inner_keys.all};
 constexpr Keys outer_keys{table_key<inner_table>("base", "what it stands on").optional(),
                           tables_key<inner_table>("bases", "more of them").optional()};

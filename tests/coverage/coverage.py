@@ -16,7 +16,7 @@ hold the truth, and of the misses how many lie above it and below it:
     v_wes   .935  8, 7     .939  3, 11    .956  8, 2     .948  8, 4
     ou_v_e  .974  3, 3     .961  1, 8     .969  6, 1     .965  7, 1
 
-All sixteen lie within two standard errors of 95 %. Misses come nearly alike on both sides of the median; of HCLPF 24 of 919
+All sixteen lie within two standard errors of 95 %. Misses come nearly equally on both sides of the median; of HCLPF 24 of 919
 intervals lie above the truth (2.6 %, the unconservative side, where 2.5 % should) and 9 below. Before percentiles were
 corrected for their bias 4.5 % lay above it and 31 of 32 misses of beta over PGV below; before the split was resampled HCLPF
 was held in .896 (pga), .887 (pgv), .883 (v_wes) and .905 (ou_v_e) of 230 seeds, and the median, whose replicates kept the

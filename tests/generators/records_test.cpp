@@ -46,7 +46,7 @@ TEST(Records, TablesPlaceComponents) {
     EXPECT_TRUE(made.motion.transverse_mps2.empty());
 }
 
-// a record may be scaled, all components alike, and the run says so.
+// a record may be scaled, all components by one factor, and the run says so.
 TEST(Records, ScaleIsForAllComponents) {
     auto const one = source_of(
         "source='records'\n[[records]]\nhorizontal='a.csv'\nvertical='b.csv'\nunit='m/s2'\nscale=1.5\n", files);
@@ -75,7 +75,7 @@ TEST(Records, TimeOfAModel) {
                        "time_scale");
 }
 
-// records lie in a folder of the user's, for all lists and components alike.
+// records lie in a folder of the user's, for all lists and components.
 TEST(Records, FolderOfTheUsers) {
     std::map<std::string, std::string> const there{{"mine/a.csv", files.at("a.csv")},
                                                    {"mine/b.csv", files.at("b.csv")}};

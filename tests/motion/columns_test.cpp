@@ -74,8 +74,8 @@ TEST(Columns, WhatIsNoAccelerationIsLeftOutOrRefused) {
                          .unit_mps2 = std::string_view(names).find("mps2") == std::string::npos ? std::optional(gal)
                                                                                                 : std::nullopt});
         EXPECT_EQ(placed.components.size(), 1U) << names;
-        ASSERT_FALSE(placed.claims.empty()) << names;
-        EXPECT_TRUE(placed.claims.back().starts_with("left out: ")) << placed.claims.back();
+        ASSERT_FALSE(placed.statements.empty()) << names;
+        EXPECT_TRUE(placed.statements.back().starts_with("left out: ")) << placed.statements.back();
     }
     for (char const* names : {"t,vel (cm/s)", "t,velocity", "Time [sec] Velocity [cm/sec]", "t,N-S(cm/s)",
                               "t,a (counts)", "t,vel (gal)", "t,Sa (g)"}) {
@@ -260,7 +260,7 @@ TEST(Columns, StatedStepMustNotContradictTheTimes) {
 }
 
 TEST(RecordFormats, AreRecognisedByContentOnly) {
-    // A file of columns with another head than its format's: read by its claims, or asked for what they lack.
+    // A file of columns with another head than its format's: read by its statements, or asked for what they lack.
     expect_input_error([] { (void)read("SITE X,1,2\n LAT. 35\n UNIT gal\n NS,EW,UD\n1,2,3\n2,2,3\n", {}); },
                        "a.csv:5: ", "time step missing");
     expect_input_error([] { (void)read("<!DOCTYPE html>\n<html>\n"); }, "format not recognised");

@@ -100,8 +100,8 @@ TEST(ComponentMapping, ByPlaceTheTextDecidesNothing) {
 TEST(ComponentMapping, IsReported) {
     auto const placed = read(under("# x=NS y=UD z=EW", "t,x,y,z"));
     EXPECT_EQ(placed.components, (std::vector<std::string>{"x", "z", "y"}));
-    EXPECT_EQ(placed.claims, (std::vector<std::string>{"line 1: 'x' is horizontal", "line 1: 'y' is vertical",
-                                                       "line 1: 'z' is horizontal"}));
+    EXPECT_EQ(placed.statements, (std::vector<std::string>{"line 1: 'x' is horizontal", "line 1: 'y' is vertical",
+                                                           "line 1: 'z' is horizontal"}));
     EXPECT_TRUE(placed.unread.empty());
     EXPECT_EQ(read(under("# z positive down", "t,x,y,z")).motion.vertical_mps2[0], -100 * gal);
     EXPECT_EQ(read(under("# UD: positive downwards", "t,NS,EW,UD")).motion.vertical_mps2[0], -100 * gal);

@@ -100,7 +100,7 @@ TEST(CsmipV2, ManySensorsMustBeChosenFrom) {
 }
 
 // Since about 2000 the lines are written in mixed case, with another name of the unit and the format behind it.
-TEST(CsmipV2, NewerLayoutIsReadAlike) {
+TEST(CsmipV2, NewerLayoutIsReadTheSameWay) {
     auto newer = channel();
     for (auto const& [older, now] :
          {std::pair{"CHAN  1", "Chan  1"},

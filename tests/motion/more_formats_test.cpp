@@ -67,9 +67,9 @@ std::vector<Form> forms() {
     };
 }
 
-TEST(MoreFormats, AreReadByTheirClaims) { expect_read(forms()); }
+TEST(MoreFormats, AreReadByTheirText) { expect_read(forms()); }
 
-// a unit or a step that differs from what the file claims is an error in each of them.
+// a unit or a step that differs from what the file states is an error in each of them.
 TEST(MoreFormats, NothingStatedOverridesThem) { expect_contradictions(forms()); }
 
 // what is damaged, of another quantity, or of a format without a reader.

@@ -179,7 +179,7 @@ TEST(Columns, NamesOfOtherQuantitiesAreRefused) {
     EXPECT_EQ(down.vertical_mps2, (std::vector{-3 * gal, -6 * gal}));
 }
 
-// text between and below the numbers claims as much as that above; a count and a step may stand above rows.
+// text between and below the numbers states as much as that above; a count and a step may stand above rows.
 TEST(Columns, CommentsBelowCount) {
     std::string const rows = "0 1\n0.5 -2\n";
     expect_input_error([&] { (void)read(rows + "# units: m/s2\n"); }, "a.csv:3: unit m/s2 in the file, gal stated");

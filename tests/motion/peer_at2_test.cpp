@@ -114,8 +114,7 @@ TEST(PeerAt2, NamesBelowItsCountMakeATable) {
         EXPECT_EQ(recording.format, "columns") << head;
         EXPECT_EQ(recording.components[0].acceleration_mps2, (std::vector{0.1, -0.2, 0.3, -0.05})) << head;
     }
-    expect_input_error([&] { (void)read("# NPTS= 5, DT= 0.01 SEC\ntime [s],acc [gal]\n" + rows); },
-                       "5 samples claimed");
+    expect_input_error([&] { (void)read("# NPTS= 5, DT= 0.01 SEC\ntime [s],acc [gal]\n" + rows); }, "5 samples stated");
     expect_input_error([&] { (void)read("# NPTS= 4, DT= 0.02 SEC\ntime [s],acc [gal]\n" + rows); }, "time step 0.02 s");
 }
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/units.hpp"
-#include "motion/claims.hpp"
+#include "motion/text_statements.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/read_record.hpp"
 
@@ -52,7 +52,7 @@ TEST(PlainUnits, AmongOtherWordsAUnitIsAskedFor) {
     }
 }
 
-TEST(PlainUnits, OfKnownWordsALineIsAClaim) {
+TEST(PlainUnits, OfKnownWordsALineIsAStatement) {
     constexpr double gal = 0.01;
     for (auto const& [line, si] : {std::pair{"# all data are in gal", gal},
                                    {"# EL CENTRO 1940, NS component, acceleration in g", g0},
@@ -61,10 +61,10 @@ TEST(PlainUnits, OfKnownWordsALineIsAClaim) {
                                    {"# 4 samples of acceleration at 100 Hz sampling in gal", gal},
                                    {"# ground acceleration, unit: metre per second squared", 1.0},
                                    {"# Units are cm/sec^2, 8F10.3", gal}}) {
-        Claims claims;
-        claims.take(line, 1);
-        EXPECT_EQ(claims.unit(), si) << line;
-        EXPECT_TRUE(claims.doubt().empty()) << line;
+        TextStatements statements;
+        statements.take(line, 1);
+        EXPECT_EQ(statements.unit(), si) << line;
+        EXPECT_TRUE(statements.doubt().empty()) << line;
     }
 }
 

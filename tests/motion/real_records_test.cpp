@@ -174,7 +174,7 @@ TEST_F(RealRecords, TwoColumnPeaksInTheStatedUnit) {
     EXPECT_NEAR(peak_gal(el_centro), 341.7, 0.05);
     EXPECT_NEAR(el_centro.time_step_s, 0.02, 1e-15);
     EXPECT_NEAR(peak_gal(read("csv_two_column/ChiChi1999_TCU068_090.csv", {.unit_mps2 = g0})), 555, 0.5);
-    EXPECT_NEAR(peak_gal(read("csv_two_column/ChiChi1999_TCU068_090.csv")), 555, 0.5);  // line 2 claims g
+    EXPECT_NEAR(peak_gal(read("csv_two_column/ChiChi1999_TCU068_090.csv")), 555, 0.5);  // line 2 states g
 }
 
 }  // namespace

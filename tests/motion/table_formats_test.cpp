@@ -222,9 +222,9 @@ std::vector<Form> forms() {
     };
 }
 
-TEST(TableFormats, AreReadByTheirClaims) { expect_read(forms()); }
+TEST(TableFormats, AreReadByTheirText) { expect_read(forms()); }
 
-// a unit or a step that differs from what the file claims is an error in each of them.
+// a unit or a step that differs from what the file states is an error in each of them.
 TEST(TableFormats, NothingStatedOverridesThem) { expect_contradictions(forms()); }
 
 TEST(TableFormats, OtherQuantitiesAndDamageAreRefused) {
@@ -234,7 +234,7 @@ TEST(TableFormats, OtherQuantitiesAndDamageAreRefused) {
     refuse(list_of("M/S"), "velocities", stated);
     refuse(list_of("Counts"), "counts", stated);
     refuse(pairs_of("M/S"), "velocities", stated);
-    refuse(nsmn(4), "4 samples claimed, 3 found");
+    refuse(nsmn(4), "4 samples stated, 3 found");
     refuse(csmnc("CM/SEC"), "velocities");
     refuse(volume_two("-30.0000"), "peak of 3 gal where the header says 30");
     refuse(geonet(true, "Up", "-40.0"), "where the header says 4");

@@ -1,5 +1,5 @@
-// Requirement R-107: a word in a line that may change what the numbers are leads to a claim, to a refusal, or to a line
-// that is listed; one known word beside it hides nothing.
+// Requirement R-107: a word in a line that may change what the numbers are leads to a statement, to a refusal, or to a
+// line that is listed; one known word beside it hides nothing.
 #include <algorithm>
 #include <array>
 #include <string>
@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "core/units.hpp"
-#include "motion/claims.hpp"
 #include "motion/telling_words.hpp"
+#include "motion/text_statements.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/read_record.hpp"
 
@@ -24,7 +24,7 @@ std::string text(std::string const& line, std::string const& names = "Time,acc [
 Direction direction(std::string const& line) { return read_placed(text(line), {.name = "a"}).direction; }
 
 // R-107: a single column without a direction of its own is what the text says; the vertical one rocks nothing.
-TEST(TextClaims, AComponentInTheTextIsThatOfTheColumn) {
+TEST(TextStatements, AComponentInTheTextIsThatOfTheColumn) {
     for (char const* line : {"# Component: UP", "# Channel: HNZ", "# Orientation: vertical", "# comp = Z", "# Dir. U-D",
                              "# HNZ", "# station ABC, vertical", "# DIRECTION: UP-DOWN", "# Komponente: vertikal",
                              "# azimuth: up", "# \xE6\x88\x90\xE5\x88\x86: \xE4\xB8\x8A\xE4\xB8\x8B",
@@ -36,7 +36,7 @@ TEST(TextClaims, AComponentInTheTextIsThatOfTheColumn) {
     EXPECT_EQ(direction("# altitude Z: 300 m"), Direction::unknown);
     EXPECT_EQ(direction("# gal, N, E, Z"), Direction::unknown);
     EXPECT_EQ(direction("# gal, N"), Direction::unknown);
-    EXPECT_EQ(read_placed(text("# gal, Z"), {.name = "a"}).claims,
+    EXPECT_EQ(read_placed(text("# gal, Z"), {.name = "a"}).statements,
               (std::vector<std::string>{"line 1: component z", "line 1: gal"}));
     expect_input_error([] { (void)read_placed(text("# Component: UP", "Time,NS [gal]"), {.name = "a"}); }, "a:1",
                        "contradict each other");
@@ -46,7 +46,7 @@ TEST(TextClaims, AComponentInTheTextIsThatOfTheColumn) {
 }
 
 // R-107: factors, other quantities, rates and directions within a line that is understood are listed, before others.
-TEST(TextClaims, WhatMayChangeTheNumbersIsListed) {
+TEST(TextStatements, WhatMayChangeTheNumbersIsListed) {
     for (char const* line : {"# station X, values scaled by 0.5",
                              "# date 2011-03-11, multiply by 9.81",
                              "# Component: NS, x 100",
@@ -86,7 +86,7 @@ TEST(TextClaims, WhatMayChangeTheNumbersIsListed) {
 }
 
 // R-107: a line of known words alone that calls accelerations something else.
-TEST(TextClaims, AnotherQuantityContradictsTheName) {
+TEST(TextStatements, AnotherQuantityContradictsTheName) {
     for (char const* line :
          {"# absolute acceleration response spectrum", "# 5% damped spectrum", "# values below are velocities in cm/s",
           "# VEL", "# Component: NS velocity, cm/s", "# displacement [cm]", "# ground velocity"}) {
@@ -104,7 +104,7 @@ TEST(TextClaims, AnotherQuantityContradictsTheName) {
 }
 
 // R-107: a line below the numbers counts as one above does, and one on where or whence as another.
-TEST(TextClaims, EveryLineCounts) {
+TEST(TextStatements, EveryLineCounts) {
     auto const below = [](std::string const& line, std::string const& names = "Time,acc [gal]") {
         return read_placed(text("# station X", names) + line + "\n", {.name = "a"});
     };
@@ -116,7 +116,7 @@ TEST(TextClaims, EveryLineCounts) {
         EXPECT_TRUE(below(line).unread.empty()) << line;
     }
     expect_input_error([&] { (void)below("*** End Data *** (in g)", "Time,acc"); }, "a:3: ", "line 7 names g");
-    expect_input_error([&] { (void)below("End of data, 9 samples"); }, "a:7: ", "9 samples claimed, 4 found");
+    expect_input_error([&] { (void)below("End of data, 9 samples"); }, "a:7: ", "9 samples stated, 4 found");
     expect_input_error([] { (void)read_placed(text("# station ABC, units: m/s"), {.name = "a"}); },
                        "a:1: velocities, says the text");
     auto const list =
@@ -131,13 +131,13 @@ TEST(TextClaims, EveryLineCounts) {
 }
 
 // R-107: a unit of velocities below which a column is called an acceleration.
-TEST(TextClaims, AnotherUnitContradictsTheName) {
+TEST(TextStatements, AnotherUnitContradictsTheName) {
     expect_input_error([] { (void)read_placed(text("# units: m/s", "time,acc"), {.name = "a", .unit_mps2 = 1}); },
                        "a:1", "velocities");
 }
 
 // R-107: a factor in a column's name is nothing to guess at; a distance is no time step.
-TEST(TextClaims, FactorsInNamesAreRefusedAndDistancesAreNoSteps) {
+TEST(TextStatements, FactorsInNamesAreRefusedAndDistancesAreNoSteps) {
     for (char const* name : {"a x 100 [m/s2]", "a*100 [m/s2]", "a [m/s2] x100"}) {
         expect_input_error([&] { (void)read_placed(text("# X", fmt::format("time,{}", name)), {.name = "a"}); }, "a:2");
     }
@@ -145,7 +145,7 @@ TEST(TextClaims, FactorsInNamesAreRefusedAndDistancesAreNoSteps) {
 }
 
 // R-107: a peak in its own unit is held against the numbers in theirs; one that is none of them is listed.
-TEST(TextClaims, PeaksHaveUnits) {
+TEST(TextStatements, PeaksHaveUnits) {
     for (char const* line :
          {"# PGA = 30 gal", "# PGA = 0.3 m/s2", "# Peak acceleration: 30 cm/s2", "# pga 30 gal",
           "# peak acceleration of 0.3 m/s2", "# PGA of 30 gal", "# Peak acceleration is 0.3 m/s2 at 0.02 s",
@@ -161,14 +161,14 @@ TEST(TextClaims, PeaksHaveUnits) {
         EXPECT_EQ(listed, std::vector<std::string>{fmt::format("line 1: '{}'", line)});
     }
     expect_input_error([] { (void)read_placed(text("# PGA = 0.5 g"), {.name = "a"}); },
-                       "a:1: ", "peak of 4.90332 m/s2 claimed, 0.3 m/s2 found");
+                       "a:1: ", "peak of 4.90332 m/s2 stated, 0.3 m/s2 found");
     auto const unmet = read_placed(text("# sensor range, max 0.5 g"), {.name = "a"}).unread;
     ASSERT_EQ(unmet.size(), 1U);
     EXPECT_EQ(unmet.front(), "line 1: a peak of 4.903 m/s2, the numbers have 0.3 m/s2");
 }
 
 // R-107: a sensor that reads gravity is refused, whichever way it is mounted.
-TEST(TextClaims, RecordsAboutOneGAreRefused) {
+TEST(TextStatements, RecordsAboutOneGAreRefused) {
     for (double const mean : {-1.1, -0.9, 0.9, 1.0, 1.1}) {
         std::string values = "time,NS [g],UD [g]\n";
         for (int i = 0; i < 8; ++i) {
@@ -179,7 +179,7 @@ TEST(TextClaims, RecordsAboutOneGAreRefused) {
 }
 
 // R-107: what one channel of a seismometer is by its unit, the others are too; a word for two columns is refused.
-TEST(TextClaims, NoChannelIsDropped) {
+TEST(TextStatements, NoChannelIsDropped) {
     auto const placed = read_placed("Time(s),BHZ,BHN,BHE [m/s2]\n0,1,2,3\n0.01,-1,-2,-4\n0.02,1,2,3\n", {.name = "a"});
     EXPECT_EQ(placed.components, (std::vector<std::string>{"BHN", "BHE [m/s2]", "BHZ"}));
     RecordRequest stated{.name = "a", .unit_mps2 = 1};
@@ -189,7 +189,7 @@ TEST(TextClaims, NoChannelIsDropped) {
 }
 
 // R-107: a rate with its unit is one however it is worded; a filter's is none.
-TEST(TextClaims, RatesAndStepsAreClaims) {
+TEST(TextStatements, RatesAndStepsAreStatements) {
     auto const list = [](std::string const& line) {
         return read_placed(line + ", gal\n1\n-2\n3\n-1\n", {.name = "a"}).motion.time_step_s;
     };
@@ -205,7 +205,7 @@ TEST(TextClaims, RatesAndStepsAreClaims) {
 }
 
 // R-107: quotes around numbers are none of them; decimal commas in them are refused with the remedy.
-TEST(TextClaims, QuotedNumbersAreRead) {
+TEST(TextStatements, QuotedNumbersAreRead) {
     auto const read = [](std::string const& rows) {
         return read_placed("time;acc [gal]\n" + rows, {.name = "a"}).motion;
     };
@@ -216,7 +216,7 @@ TEST(TextClaims, QuotedNumbersAreRead) {
 }
 
 // R-107: a factor beside a unit makes it none of the numbers'.
-TEST(TextClaims, UnitsWithFactorsAreNone) {
+TEST(TextStatements, UnitsWithFactorsAreNone) {
     for (char const* line :
          {"# acceleration in g / 1000", "# acceleration in gal (x 0.001)", "# acceleration in 0.01 g", "# 100 x m/s2",
           "# acceleration in tenths of g", "# acceleration, percent of g"}) {
@@ -227,13 +227,13 @@ TEST(TextClaims, UnitsWithFactorsAreNone) {
 }
 
 // R-107: a hazard curve is no record, whatever its unit.
-TEST(TextClaims, HazardCurvesAreRefused) {
+TEST(TextStatements, HazardCurvesAreRefused) {
     expect_input_error([] { (void)read_placed("acc [g],annual_exceedance\n0,1\n1,0.1\n", {.name = "a"}); },
                        "a:1: ", "a hazard curve");
 }
 
 // R-107: names of what is made of motions are listed; a time in another unit is none in seconds.
-TEST(TextClaims, NamesOfOtherValuesAreListed) {
+TEST(TextStatements, NamesOfOtherValuesAreListed) {
     for (char const* name : {"acc error [gal]", "acc_std [gal]", "envelope [gal]", "-acc [gal]", "PGA [gal]",
                              "acc inverted [gal]", "floor acc [gal]"}) {
         auto const listed = read_placed(text("# X", fmt::format("time,{}", name)), {.name = "a"}).unread;
@@ -249,7 +249,7 @@ TEST(TextClaims, NamesOfOtherValuesAreListed) {
     EXPECT_EQ(read_placed(text("# X", "time (UTC),acc [gal]"), {.name = "a"}).motion.time_step_s, 0.01);
 }
 
-TEST(TextClaims, WordsAreFoundAsWords) {
+TEST(TextStatements, WordsAreFoundAsWords) {
     EXPECT_TRUE(tells_factor("normalised to 1 g"));
     EXPECT_TRUE(tells_factor("acc * 9.81"));
     EXPECT_TRUE(tells_factor("100*a"));

@@ -74,7 +74,7 @@ TEST(CriterionWords, FalseSafeOnesSpeakAgainst) {
 
 TEST(CriterionWords, SafetyThatWasNotTriedIsOpen) {
     EXPECT_TRUE(
-        holds(words_on(judged(Safety::none_said_safe), 0.95).open, "not tested: V_WES predicted no trial safe"));
+        holds(words_on(judged(Safety::none_predicted_safe), 0.95).open, "not tested: V_WES predicted no trial safe"));
     EXPECT_TRUE(holds(words_on(judged(Safety::none_uplifted), 0.95).open,
                       "not tested: no uplift in any of the 42 trials that"));
 }

@@ -67,7 +67,7 @@ TEST(FitWords, AQuoteInTheTailIsWarnedOf) {
 
 TEST(FitWords, GroupsThatCountAsOneAreReported) {
     auto const fit =
-        fit_of({{.amplitude = 2, .trials = 200, .alike = 10}, {.amplitude = 4, .trials = 200, .alike = 10}});
+        fit_of({{.amplitude = 2, .trials = 200, .group_size = 10}, {.amplitude = 4, .trials = 200, .group_size = 10}});
     auto const text = words_of(fit).at(0);
     EXPECT_NE(text.find("(none of 200, counting 10 as one, 95 %)"), std::string::npos) << text;
 }

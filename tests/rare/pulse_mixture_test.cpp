@@ -239,7 +239,8 @@ struct OnePulse {
 };
 
 // weights are right however strong a pulse is: those of its own draws vanish, those of plain draws are
-// 1/w0, and between them, where both densities are alike, the formula holds on either side of the change of method.
+// 1/w0, and between them, where both densities are nearly equal, the formula holds on either side of the change of
+// method.
 TEST(Mixture, WeightsOfStrongPulsesStayRight) {
     for (double const square : {400.0, 749.0, 751.0, 1300.0, 5000.0}) {
         auto const one = OnePulse::of(square);
@@ -252,7 +253,7 @@ TEST(Mixture, WeightsOfStrongPulsesStayRight) {
     }
 }
 
-// where failure is next to impossible nothing above 1 is stated, and no weights that are all alike pass.
+// where failure is next to impossible nothing above 1 is stated, and no equal weights pass.
 TEST(PulseMixture, StatesNothingAbsurdWhereFailureIsNextToImpossible) {
     RockingNoise const problem;
     LoneWorker workers;

@@ -16,7 +16,7 @@ namespace overturn::testing {
 /// How rows of a changed campaign meet those of the first.
 struct Meeting {
     std::size_t trials = 0;
-    std::size_t verdicts = 0;  ///< that are alike
+    std::size_t verdicts = 0;  ///< that agree
     std::size_t exact = 0;     ///< trials of which every bit is as it must be
     /// Of trials of one verdict, by column: differences over the larger of both, none of them 0.
     std::map<std::string, std::vector<double>> differences;

@@ -7,8 +7,8 @@
 
 namespace overturn::testing {
 
-/// Differences over the larger value that 95 % of the trials stay below, of those that end alike. Stated by what was
-/// measured on the scenes of these tests, which are drawn by fixed seeds: some three times as much.
+/// Differences over the larger value that 95 % of the trials stay below, of those that end the same way. Stated by what
+/// was measured on the scenes of these tests, which are drawn by fixed seeds: some three times as much.
 struct Promise {
     std::string_view relation, family;
     double flips_per_thousand = 0;  ///< trials that end otherwise

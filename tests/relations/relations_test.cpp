@@ -125,7 +125,7 @@ TEST(RelationsThemselves, ScenesLieAtThresholds) {
 }
 
 // without friction nothing stops a body, and every model follows it equally long after its motion.
-TEST(RelationsThemselves, ABodyThatStillSlidesIsFollowedAlike) {
+TEST(RelationsThemselves, ABodyThatStillSlidesIsFollowedToo) {
     testing::Draws draw(5);
     testing::Study study{.motions = {}, .solids = {}, .factors = {1}};
     testing::Motion motion;

@@ -15,7 +15,7 @@
 
 namespace overturn::testing {
 
-/// Of trials that end alike at two steps, one twice the other.
+/// Of trials that end the same way at two steps, one twice the other.
 struct Halving {
     std::size_t trials = 0, flips = 0;
     std::map<std::string, std::vector<double>> differences;  ///< by quantity, over the larger of both; equal ones are 0

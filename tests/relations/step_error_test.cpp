@@ -14,8 +14,8 @@ using testing::Halving;
 
 constexpr std::size_t times = 3;  // the step, its half and its quarter, each against the half of it
 
-/// From a step to its half: median of the differences, of trials that end alike, by how much the mean may move, and
-/// trials that end otherwise.
+/// From a step to its half: median of the differences, of trials that end the same way, by how much the mean may move,
+/// and trials that end otherwise.
 struct Bounds {
     double median, drift, flips_per_thousand;
 };

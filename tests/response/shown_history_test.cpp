@@ -113,7 +113,7 @@ TEST(ShownHistory, ReachesAsFarAsItsRow) {
                 ASSERT_NE(response.verdict, Verdict::overturned);
                 Extremes seen;
                 selector.show(trial, response, seen);
-                auto const row = [&](char const* name) { return selector.own_value(response, name, own); };
+                auto const row = [&](char const* name) { return selector.extra_value(response, name, own); };
                 EXPECT_NEAR(seen.most[seen.place("edge_x_most_m")], row("edge_x_most"), 1e-5) << response.model;
                 EXPECT_NEAR(seen.least[seen.place("edge_x_least_m")], row("edge_x_least"), 1e-5) << response.model;
                 double const top = std::max(seen.most[seen.place("top_x_m")], -seen.least[seen.place("top_x_m")]);

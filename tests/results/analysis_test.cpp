@@ -109,7 +109,7 @@ TEST_F(AnalysisOfRows, CurvesOverOtherMeasuresAreOfTheDesign) {
 }
 
 /// V_WES and ouV_E are one multiple of each other in these rows: same beta, same rank, medians apart by the factor.
-TEST_F(AnalysisOfRows, ProportionalMeasuresFitAlike) {
+TEST_F(AnalysisOfRows, ProportionalMeasuresGiveTheSameFit) {
     fill();
     auto const body = analyse(spec, statistics, {})[1];
     auto const& wes = body.fragility[2];
@@ -219,7 +219,7 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
 TEST_F(AnalysisOfRows, UntestedSafetyIsReported) {
     wave(0, 2, 1);
     trial(0, 2, Verdict::rocked, 4.5, 3.0);
-    EXPECT_EQ(analyse(spec, statistics, {})[1].verdict->safety, Safety::none_said_safe);
+    EXPECT_EQ(analyse(spec, statistics, {})[1].verdict->safety, Safety::none_predicted_safe);
     trial(0, 0, Verdict::at_rest, 1.5, 1.0);
     EXPECT_EQ(analyse(spec, statistics, {})[1].verdict->safety, Safety::none_uplifted);
 }

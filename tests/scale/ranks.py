@@ -8,8 +8,8 @@ times slower than the others. The numbers of the rule are read from src/runner/d
 takes, how long a rank without blocks waits before it takes one over from a slow rank, how often a rank looks whether its
 block was taken over. Rank 0 hands out and computes nothing from so many ranks on as stands there.
 
-Printed: wall time and the share of it that the ranks work, where all are alike, and with the slow rank, without taking over
-and with it. --check: ends with 1 where the slow rank costs more than a tenth of the wall time, or 1000 ranks that are alike
+Printed: wall time and the share of it that the ranks work, where all are equal, and with the slow rank, without taking over
+and with it. --check: ends with 1 where the slow rank costs more than a tenth of the wall time, or 1000 equal ranks
 work less than nine tenths of it."""
 
 import argparse

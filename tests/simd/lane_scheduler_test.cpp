@@ -19,15 +19,15 @@ enum class Wave : int { push, count };
 
 double stepped(double x, double push) { return 3.7 * x * (1 - x) + push; }
 
-// Some legs of chaotic steps; between two legs something that lanes do not do.
+// Some segments of chaotic steps; between two segments something that lanes do not do.
 struct Walk {
     std::size_t number = 0;
     double x = 0;
-    std::vector<int> legs;
+    std::vector<int> segments;
     double push = 0;
 
     bool rest() {
-        if (legs.empty()) {
+        if (segments.empty()) {
             return false;
         }
         x = std::sqrt(x);
@@ -36,10 +36,10 @@ struct Walk {
 };
 
 Walk walk(std::size_t number) {
-    Walk made{.number = number, .x = 0.1 + 0.8 * std::abs(std::sin(static_cast<double>(number))), .legs = {}};
+    Walk made{.number = number, .x = 0.1 + 0.8 * std::abs(std::sin(static_cast<double>(number))), .segments = {}};
     made.push = 1e-3 * static_cast<double>(number % 5);
-    for (std::size_t leg = 0; leg < number * 7 % 4; ++leg) {  // some have none: they never need a lane
-        made.legs.push_back(static_cast<int>(1 + (number + leg) * 13 % 40));
+    for (std::size_t segment = 0; segment < number * 7 % 4; ++segment) {  // some have none: they never need a lane
+        made.segments.push_back(static_cast<int>(1 + (number + segment) * 13 % 40));
     }
     return made;
 }
@@ -47,10 +47,10 @@ Walk walk(std::size_t number) {
 double alone(std::size_t number) {
     auto one = walk(number);
     while (one.rest()) {
-        for (int i = 0; i < one.legs.back(); ++i) {
+        for (int i = 0; i < one.segments.back(); ++i) {
             one.x = stepped(one.x, one.push);
         }
-        one.legs.pop_back();
+        one.segments.pop_back();
     }
     return one.x;
 }
@@ -73,14 +73,14 @@ class Walks {
     bool advance(Walk& one) { return one.rest(); }
     void load_lane(Walk& one, Fields& fields, int lane) {
         fields.at(Number::x, lane) = one.x;
-        fields.at(Number::left, lane) = one.legs.back();
+        fields.at(Number::left, lane) = one.segments.back();
         pushes_.at(one.number % pushes_.size()) = one.push;
         fields.at(Wave::push, lane) = &pushes_.at(one.number % pushes_.size());  // a walk may move
         ++running_;
     }
     void store_lane(Walk& one, Fields const& fields, int lane) {
         one.x = fields.at(Number::x, lane);
-        one.legs.pop_back();
+        one.segments.pop_back();
         --running_;
     }
     std::uint32_t step(Fields& fields, int used) {

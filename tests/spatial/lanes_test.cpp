@@ -138,7 +138,7 @@ TEST(SpatialLanes, InstructionSetsAgreeToTheLastBit) {
 }
 
 // Long noise on a rim that scarcely parts: touches that begin and end within a step, in company and alone.
-TEST(SpatialLanes, ShortTouchesAreRememberedAlike) {
+TEST(SpatialLanes, ShortTouchesAreRemembered) {
     testing::TwoWaves const waves;
     auto const block = testing::standing(body_a(), round_base(), 0.8);
     std::vector<SpatialTrial> trials;

@@ -32,7 +32,7 @@ SpatialStart leaning(SpatialBlock const& block, double tilt) {
             .rotation_rad = {0, tilt, 0}};
 }
 
-// By quadrature of one element's contact; and a flat drop, whose elements are all alike.
+// By quadrature of one element's contact; and a flat drop, whose elements are equal.
 TEST(SpatialRimLaw, ElementsHaveTheStatedRestitution) {
     struct Known {
         double e, y;

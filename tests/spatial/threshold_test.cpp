@@ -56,8 +56,8 @@ TEST(SpatialThreshold, SquareTipsByTheDirection) {
     }
 }
 
-// The rim's points share the weight until it all but falls: earlier than r / h, and alike whatever the direction.
-TEST(SpatialThreshold, RoundTipsAlikeInAllDirections) {
+// The rim's points share the weight until it all but falls: earlier than r / h, and equally in every direction.
+TEST(SpatialThreshold, RoundTipsEquallyInAllDirections) {
     auto const block = standing(body_a(), testing::round_base(), 10);
     double const rigid = 0.68 / 1.045;
     double least = rigid;

@@ -21,9 +21,9 @@ TEST(CriterionStudy, CountsTrialsAndWaves) {
     auto const study = study_criterion(trials, 0.95);
 
     expect_share(study.safe_but_overturned, 2, 5);
-    expect_share(study.overturned_said_safe, 2, 3);
+    expect_share(study.overturned_predicted_safe, 2, 3);
     expect_share(study.unsafe_but_stood, 2, 3);  // at exactly 1 it is not called safe
-    expect_share(study.stood_said_unsafe, 2, 5);
+    expect_share(study.stood_predicted_unsafe, 2, 5);
     expect_share(study.waves_safe_but_overturned, 1, 3);
     EXPECT_EQ(study.at_overturning->count, 3);
     EXPECT_EQ(study.at_overturning->median, 0.9);
@@ -55,18 +55,18 @@ TEST(CriterionStudy, CountsWhatUplifted) {
 }
 
 // of waves that share what was drawn each is a wave, with its own first overturning; intervals count groups.
-TEST(CriterionStudy, WavesThatAreAlikeAreWavesStill) {
+TEST(CriterionStudy, WavesThatShareADrawAreWavesStill) {
     std::vector<CriterionTrial> trials;
     for (std::int64_t wave = 0; wave < 40; ++wave) {
         trials.push_back({0.9, wave, false});
         trials.push_back({2 + 0.01 * static_cast<double>(wave), wave, true});
     }
     auto const alone = study_criterion(trials, 0.95);
-    auto const alike = study_criterion(trials, 0.95, 8);
-    EXPECT_EQ(alike.first_overturning->count, 40);
-    EXPECT_EQ(alike.first_overturning->median, alone.first_overturning->median);
-    EXPECT_EQ(alike.waves_safe_uplifted_but_overturned.of, 40);
-    EXPECT_EQ(alike.waves_safe_uplifted_but_overturned.interval.upper, clopper_pearson(0, 5, 0.95).upper);
+    auto const grouped = study_criterion(trials, 0.95, 8);
+    EXPECT_EQ(grouped.first_overturning->count, 40);
+    EXPECT_EQ(grouped.first_overturning->median, alone.first_overturning->median);
+    EXPECT_EQ(grouped.waves_safe_uplifted_but_overturned.of, 40);
+    EXPECT_EQ(grouped.waves_safe_uplifted_but_overturned.interval.upper, clopper_pearson(0, 5, 0.95).upper);
 }
 
 TEST(CriterionStudy, NothingOverturnedHasNoQuantiles) {
@@ -74,7 +74,7 @@ TEST(CriterionStudy, NothingOverturnedHasNoQuantiles) {
 
     EXPECT_FALSE(study.at_overturning);
     EXPECT_EQ(study.unsafe_but_stood.of, 0);
-    EXPECT_EQ(study.overturned_said_safe.interval.upper, 1) << "nothing tried says nothing";
+    EXPECT_EQ(study.overturned_predicted_safe.interval.upper, 1) << "nothing tried says nothing";
 }
 
 }  // namespace

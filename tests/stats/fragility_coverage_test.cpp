@@ -118,7 +118,7 @@ TEST(Coverage, NeedsWavesWhereLevelsShareThem) {
 /// The likeliest beta is a little too small, and resampling repeats that: the plain middle of the replicates lies below
 /// beta in 4.3 %, and above the 5 % point (the unsafe side) in 4.6 % of campaigns. Bias-corrected it is at most 3.2 %
 /// on any side; the limits are 2.5 % and two standard errors of 1000 campaigns.
-TEST(Coverage, MissesComeAlikeOnBothSides) {
+TEST(Coverage, MissesComeEquallyOnBothSides) {
     auto const methods = covered(100, 0.8);
 
     auto const& hits = methods.by_waves;

@@ -54,7 +54,7 @@ TEST(Tail, StripesAreTestedByTheirExactTails) {
     EXPECT_NEAR(fit.goodness->stripe_p_value, std::min(1.0, least), 1e-9);
 }
 
-/// Size of both tests together, on tables that a lognormal curve made: 5 % is what either claims by itself, and the
+/// Size of both tests together, on tables that a lognormal curve made: 5 % is what either has by itself, and the
 /// stripes' is far below that since the curve was fitted to them.
 TEST(Tail, CurvesThatAreTrueAreSeldomRejected) {
     constexpr int repetitions = 1000;

@@ -44,7 +44,7 @@ TEST(RankArea, CountsPairs) {
     EXPECT_TRUE(std::isnan(rank_area(std::vector<SingleTrial>{{2, 0, true}})));
 }
 
-/// Any rising function of the measure ranks alike.
+/// Any rising function of the measure gives the same rank.
 TEST(RankArea, KnowsOrderOnly) {
     auto bent = some;
     for (auto& trial : bent) {

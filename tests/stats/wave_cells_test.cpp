@@ -71,7 +71,7 @@ TEST(WaveCells, DrawWhatAPlainLoopDraws) {
     }
 }
 
-/// Waves that ended alike at every level are held once, and each is drawn as often as it is there.
+/// Waves that ended the same way at every level are held once, and each is drawn as often as it is there.
 TEST(WaveCells, WavesWithTheSameOutcomesCountTogether) {
     std::vector<SingleTrial> trials;
     for (int w = 0; w < 1000; ++w) {

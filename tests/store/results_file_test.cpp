@@ -387,18 +387,18 @@ TEST_F(Results, ReaderRefusesWhatIsNoResultsFile) {
     expect_input_error([&] { (void)ResultsReader(path()); }, "out.h5", "damaged");
 }
 
-struct Claim {
+struct Header {
     char const* format;
     std::int64_t version;
 };
 
-void write_claim(std::filesystem::path const& path, Claim const& claim) {
+void write_header(std::filesystem::path const& path, Header const& header) {
     ResultsWriter writer(path);
-    writer.attribute("format", std::string(claim.format));
+    writer.attribute("format", std::string(header.format));
     writer.attribute("program_version", std::string("0.0.9"));
     writer.attribute("git_revision", std::string("abc"));
-    if (claim.version > 0) {
-        writer.attribute("format_version", claim.version);
+    if (header.version > 0) {
+        writer.attribute("format_version", header.version);
     }
     writer.finish();
 }
@@ -485,21 +485,21 @@ TEST_F(Results, CategoriesAreReadByName) {
 }
 
 TEST_F(Results, ReaderRefusesOtherFormats) {
-    write_claim(path(), {"somebody-elses-results", 1});
+    write_header(path(), {"somebody-elses-results", 1});
     expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file", format_name);
 
-    write_claim(path(), {format_name, format_version + 1});
+    write_header(path(), {format_name, format_version + 1});
     expect_input_error([&] { (void)ResultsReader(path()); }, fmt::format("format version {}", format_version + 1),
                        "newer overturn");
 
-    write_claim(path(), {format_name, oldest_format_read - 1});
+    write_header(path(), {format_name, oldest_format_read - 1});
     expect_input_error([&] { (void)ResultsReader(path()); }, "format version 2",
                        fmt::format("reads 3 to {}", format_version), "overturn 0.0.9, revision abc");
 
-    write_claim(path(), {format_name, 1});
+    write_header(path(), {format_name, 1});
     expect_input_error([&] { (void)ResultsReader(path()); }, "format version 1", "Known of its version: impacts");
 
-    write_claim(path(), {format_name, 0});
+    write_header(path(), {format_name, 0});
     expect_input_error([&] { (void)ResultsReader(path()); }, "not a results file");
 
     { File const bare(H5Fcreate(path().c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT)); }

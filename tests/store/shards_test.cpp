@@ -185,7 +185,7 @@ TEST_F(Shards, OnlyThoseAskedForAreLookedAt) {
 TEST_F(Shards, RemoveTakesEverythingOfOurs) {
     spill(file("0000000004.block.tmp-here-17"), "half a blo");
     spill(file("campaign.record.tmp-here-17"), "half a rec");
-    spill(file(Claim::file_name), "");
+    spill(file(BlockLock::file_name), "");
     shards.remove();
 
     EXPECT_FALSE(shards.exists());

@@ -43,7 +43,7 @@ inline constexpr config::KeyTable friction_table{.meaning = "coefficients of fri
 
 inline constexpr std::string_view whole = "there is no file and no parts";
 inline constexpr config::Keys body_keys{
-    config::text_key("name", "unique name of the body").otherwise_said("name in its file, otherwise body"),
+    config::text_key("name", "unique name of the body").otherwise_in_words("name in its file, otherwise body"),
     config::number_key("base_width", Dimension::length, config::Range::positive(),
                        "width 2 b of the base in the rocking plane")
         .only("there is no file"),
@@ -61,7 +61,7 @@ inline constexpr config::Keys body_keys{
     distribution_key("restitution", Dimension::none, config::Range::between(0, 1),
                      "ratio of angular velocities after and before an impact")
         .or_as(config::word_key<restitution_words>("restitution", ""))
-        .otherwise_said("housner"),
+        .otherwise_in_words("housner"),
     distribution_key("friction", Dimension::none, config::Range::not_negative(),
                      "coefficient of friction; not stated: no slip")
         .or_as(config::table_key<distribution_table, friction_table>("friction", ""))
@@ -75,7 +75,7 @@ inline constexpr config::Keys body_keys{
         .only("there is no file"),
     config::integer_key("axes", 1, 3,
                         "components that act on it: 1 (horizontal), 2 (both horizontal), 3 (and vertical)")
-        .otherwise_said("value in its file, otherwise 3")};
+        .otherwise_in_words("value in its file, otherwise 3")};
 
 inline constexpr config::Keys bodies_keys{
     config::text_key("file", "file that describes the body; keys stated here override those of the file").optional()};

@@ -32,7 +32,7 @@ constexpr config::Keys base_keys{
         .otherwise(1),
     config::number_key("inner_diameter", Dimension::length, Range::positive(),
                        "inner diameter of a ring that bears evenly out to base_width")
-        .otherwise_said("none: a disc")
+        .otherwise_in_words("none: a disc")
         .only("shape = round and bedding = flat"),
     config::pairs_key("corners", Dimension::length, Dimension::length,
                       "coordinates [x, y] of the corners of a convex polygon")
@@ -40,7 +40,7 @@ constexpr config::Keys base_keys{
     config::integer_key("points", 2, BasePlan::most_points_around,
                         "number of points from corner to corner, 2 to 41; round base: 16 to 256 points on its rim (at "
                         "most 64 in a plane), whose directions then differ")
-        .otherwise_said("15; round base: continuous rim, or 64 points on a pad with a strength")
+        .otherwise_in_words("15; round base: continuous rim, or 64 points on a pad with a strength")
         .only("shape = square or round")};
 constexpr config::KeyTable base_table{.meaning = "the base that a body stands on", .keys = base_keys.all};
 constexpr config::Keys pad_keys{
@@ -68,9 +68,9 @@ constexpr config::Keys footing_keys{
     config::table_key<pad_table>("pad", "pad under the base").optional(),
     config::number_key("inertia_y", Dimension::inertia, Range::positive(),
                        "moment of inertia about the horizontal axis in the rocking plane")
-        .otherwise_said("equal to inertia"),
+        .otherwise_in_words("equal to inertia"),
     config::number_key("inertia_z", Dimension::inertia, Range::positive(), "moment of inertia about the vertical axis")
-        .otherwise_said("that of the base's uniform solid")};
+        .otherwise_in_words("that of the base's uniform solid")};
 
 std::optional<double> read_bedding(Table const& given) {
     if (given.kind("bedding") != Kind::text) {

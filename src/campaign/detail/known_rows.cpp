@@ -42,7 +42,7 @@ KnownRows::KnownRows(std::optional<KnownWave> known, WaveRow const& wave) : know
     }
 }
 
-bool KnownRows::take(std::size_t place, TrialRow& open, std::span<std::byte> own) const {
+bool KnownRows::take(std::size_t place, TrialRow& open, std::span<std::byte> extra) const {
     if (!known_ || !known_->known.at(place) || !same_trial(known_->trials.rows[place], open)) {
         return false;
     }
@@ -51,7 +51,7 @@ bool KnownRows::take(std::size_t place, TrialRow& open, std::span<std::byte> own
     row.body = open.body;
     row.level = open.level;
     open = row;
-    std::ranges::copy(std::span(known_->trials.extra).subspan(place * own.size(), own.size()), own.begin());
+    std::ranges::copy(std::span(known_->trials.extra).subspan(place * extra.size(), extra.size()), extra.begin());
     return true;
 }
 

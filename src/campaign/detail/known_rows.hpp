@@ -17,7 +17,7 @@ class KnownRows {
 
     /// Puts the known row in the place of one that is open yet, if they are of the same scale and the same drawn body.
     /// \param place of the trial among the wave's \return whether it did
-    [[nodiscard]] bool take(std::size_t place, TrialRow& open, std::span<std::byte> own) const;
+    [[nodiscard]] bool take(std::size_t place, TrialRow& open, std::span<std::byte> extra) const;
 
   private:
     std::optional<KnownWave> known_;

@@ -123,7 +123,7 @@ bool may_run(ModelTraits const& model, EffectRequest const& effects) {
 }
 
 // Will some model that may run know the quantity?
-bool is_told(LimitQuantity const& quantity, EffectRequest const& effects) {
+bool is_computed(LimitQuantity const& quantity, EffectRequest const& effects) {
     if (quantity.of_every_model) {
         return holds_all(effects.wanted(), quantity.needs);
     }
@@ -136,7 +136,7 @@ bool is_told(LimitQuantity const& quantity, EffectRequest const& effects) {
 
 // A quantity that only some effects give: they are simulated in every trial, or the limit is refused.
 void call_for(Table const& table, LimitQuantity const& quantity, EffectRequest& effects) {
-    if (is_told(quantity, effects)) {
+    if (is_computed(quantity, effects)) {
         if (effects.mode == EffectMode::automatic && !quantity.of_every_model) {
             effects.include |= quantity.needs | mask_of(Effect::sliding);  // points slip one by one
         }

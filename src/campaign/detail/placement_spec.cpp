@@ -57,10 +57,10 @@ void validate_placement(Table const& table, BodySpec const& spec) {
     }
     auto const& footing = spec.stated_footing;
     if (footing.stated || footing.inertia_across_kgm2 || footing.inertia_vertical_kgm2) {
-        auto const* const said = footing.stated ? "base or pad" : "inertia_y or inertia_z";
+        auto const* const what = footing.stated ? "base or pad" : "inertia_y or inertia_z";
         table.fail(table.has(key) ? key : "",
                    fmt::format("{} beside {} (not supported on compliant points or in space). Leave one of them out",
-                               key, said));
+                               key, what));
     }
     double const runs = std::tan(std::abs(spec.stated.slope_rad));
     auto const& held = spec.scatter.friction;

@@ -39,12 +39,12 @@ void refuse_bare_threshold(Table const& limit, LimitState const& state, LevelSpe
     }
 }
 
-// What all bodies answer alike; else some trials pass.
+// What all bodies answer in common; else some trials pass.
 Passable passable_by_all(LimitState const& state, std::span<BodySpec const> bodies) {
     auto const of = [&](BodySpec const& body) { return passable(state, range_of(state.quantity, body)); };
     auto const first = of(bodies.front());
-    bool const alike = std::ranges::all_of(bodies, [&](BodySpec const& body) { return of(body) == first; });
-    return alike ? first : Passable::some;
+    bool const same = std::ranges::all_of(bodies, [&](BodySpec const& body) { return of(body) == first; });
+    return same ? first : Passable::some;
 }
 
 // A threshold that no trial passes but by falling, or that every trial passes.

@@ -21,8 +21,8 @@ namespace overturn::config {
 struct Origin {
     Basis basis = Basis::not_stated;
     std::string source = {};
-    toml::array const* range = nullptr;  ///< of a single value: two plausible ends
-    toml::node const* said = nullptr;    ///< place of this statement
+    toml::array const* range = nullptr;     ///< of a single value: two plausible ends
+    toml::node const* stated_at = nullptr;  ///< place of this statement
 };
 
 /// A number, or a text such as "1.5 t". \throws InputError

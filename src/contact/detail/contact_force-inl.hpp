@@ -140,7 +140,7 @@ OVERTURN_LANES_INLINE auto ContactForce<V, Stride, Points>::pulled(Motion const&
         V const held = max(-limit, min(limit, wanted));  // against the motion
         V const stiffness = spot(point, Spot::stiffness);
         V const lever = spot(point, Spot::lever);
-        // Unfused: what two corners do alike cancels to the last bit.
+        // Unfused: what two corners do equally cancels to the last bit.
         press = press + stiffness * normal;
         grip = grip + stiffness * held;
         press_moment = press_moment + lever * normal;

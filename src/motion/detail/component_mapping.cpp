@@ -137,9 +137,9 @@ class Mapping {
     void refuse_doubt(std::vector<Pair> const& pairs, TextLine const& line) const {
         for (auto const& [column, component, joined] : pairs) {
             auto const& role = columns_.roles[column];
-            bool const told =
+            bool const given =
                 role.component.direction != Direction::unknown && component.direction != Direction::unknown;
-            if (pairs.size() == 1 && told && (joined || is_axis_name(role.name))
+            if (pairs.size() == 1 && given && (joined || is_axis_name(role.name))
                 && is_vertical(component.direction) != is_vertical(role.component.direction)) {
                 refuse(role, line);
             }
@@ -225,15 +225,15 @@ void check_list(std::vector<ColumnRole const*> const& axes, std::vector<std::str
 }
 
 /// \throws InputError likewise at any line of text
-void check_lists(TextTable const& table, TableColumns const& columns, Claims const& claims, std::string const& file,
-                 Text advice) {
+void check_lists(TextTable const& table, TableColumns const& columns, TextStatements const& statements,
+                 std::string const& file, Text advice) {
     std::vector<ColumnRole const*> axes;
     for (auto const& role : columns.roles) {
         if (is_motion(role)) {
             axes.push_back(&role);
         }
     }
-    check_list(axes, claims.components(), {file, claims.components_line()}, advice);
+    check_list(axes, statements.components(), {file, statements.components_line()}, advice);
     for (auto const* lines : {&table.head, &table.notes}) {
         for (auto const& line : *lines) {
             if (axes.size() > 1 && line.number != columns.names_line) {
@@ -245,11 +245,11 @@ void check_lists(TextTable const& table, TableColumns const& columns, Claims con
 
 }  // namespace
 
-void take_mapped_components(TextTable const& table, Claims const& claims, TableColumns& columns,
+void take_mapped_components(TextTable const& table, TextStatements const& statements, TableColumns& columns,
                             std::string const& file, std::string_view advice) {
     auto const made = mapped(table, columns, file, advice);
     if (made.empty()) {
-        check_lists(table, columns, claims, file, advice);
+        check_lists(table, columns, statements, file, advice);
         return;
     }
     check_the_others(columns, made, file, advice);
@@ -267,13 +267,14 @@ void take_mapped_components(TextTable const& table, Claims const& claims, TableC
     }
 }
 
-void tell_mapped(TableColumns const& columns, std::vector<std::string>& claims, std::vector<std::string>& unread) {
+void tell_mapped(TableColumns const& columns, std::vector<std::string>& statements, std::vector<std::string>& unread) {
     for (auto const& [column, line] : columns.mapped) {
         auto const& [direction, axis] = columns.roles[column].component;
-        auto const* const said = direction == Direction::down ? "downwards"
-                                 : is_vertical(direction)     ? "vertical"
-                                                              : "horizontal";
-        claims.push_back(fmt::format("line {}: {} is {}", line, in_quotes(columns.roles[column].name), said));
+        auto const* const direction_text = direction == Direction::down ? "downwards"
+                                           : is_vertical(direction)     ? "vertical"
+                                                                        : "horizontal";
+        statements.push_back(
+            fmt::format("line {}: {} is {}", line, in_quotes(columns.roles[column].name), direction_text));
         auto const begin = fmt::format("line {}: ", line);
         std::erase_if(unread, [&](std::string const& text) { return text.starts_with(begin); });
     }

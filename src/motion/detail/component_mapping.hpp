@@ -14,10 +14,10 @@ namespace overturn {
 /// \throws InputError at the line that gives a column another component than its name, or another line; that may do so
 /// among other words; that leaves it open which of the axes is vertical; or that lists
 /// components in another order than these axes
-void take_mapped_components(TextTable const& table, Claims const& claims, TableColumns& columns,
+void take_mapped_components(TextTable const& table, TextStatements const& statements, TableColumns& columns,
                             std::string const& file, std::string_view advice);
 
-/// Lines that give a column its component are claims that are used, and no longer unread.
-void tell_mapped(TableColumns const& columns, std::vector<std::string>& claims, std::vector<std::string>& unread);
+/// Lines that give a column its component are statements that are used, and no longer unread.
+void tell_mapped(TableColumns const& columns, std::vector<std::string>& statements, std::vector<std::string>& unread);
 
 }  // namespace overturn

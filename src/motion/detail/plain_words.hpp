@@ -1,4 +1,4 @@
-/// Is every word of a line of prose known, so that what it says of all numbers is a claim?
+/// Is every word of a line of prose known, so that what it says of all numbers is a statement?
 #pragma once
 
 #include <string>

@@ -43,11 +43,11 @@ void check_letter_v(TableColumns const& columns, Location const& names, Text adv
 
 void check_program_axes(TableColumns const& columns, Location const& names, std::string_view advice) {
     check_letter_v(columns, names, advice);
-    std::string letters, said;
+    std::string letters, named_axes;
     for (auto const& [column, role] : columns.motions) {
         if (!is_mapped(columns, column)) {
             letters += letter_of(role.name);
-            said += fmt::format("{}'{}'", said.empty() ? "" : ", ", role.name);
+            named_axes += fmt::format("{}'{}'", named_axes.empty() ? "" : ", ", role.name);
         }
     }
     auto const has = [&](char letter) { return letters.find(letter) != std::string::npos; };
@@ -55,7 +55,7 @@ void check_program_axes(TableColumns const& columns, Location const& names, std:
     if (axes >= 2 && !has('n') && !has('s')) {
         throw InputError(names, fmt::format("columns {} (u, v and w are axes of a program, of which any may be the "
                                             "vertical one). {}",
-                                            said, advice));
+                                            named_axes, advice));
     }
 }
 

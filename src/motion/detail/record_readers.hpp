@@ -62,7 +62,7 @@ namespace overturn {
 [[nodiscard]] bool recognises_unread(std::string_view content);
 [[nodiscard]] Recording refuse_unread(std::string_view content, RecordRequest const& request);
 
-/// Tables of columns and lists of values, by what their names and text claim; see table_columns.hpp.
+/// Tables of columns and lists of values, by what their names and text state; see table_columns.hpp.
 [[nodiscard]] bool recognises_columns(std::string_view content);
 [[nodiscard]] Recording read_columns(std::string_view content, RecordRequest const& request);
 

@@ -9,10 +9,10 @@
 
 namespace overturn {
 
-void check_look(std::span<double const> values, ColumnRole const& role, std::size_t columns, Claims const& claims,
-                RecordRequest const& request, Location const& where) {
+void check_look(std::span<double const> values, ColumnRole const& role, std::size_t columns,
+                TextStatements const& statements, RecordRequest const& request, Location const& where) {
     bool const named = role.quantity == Quantity::acceleration || role.component.direction != Direction::unknown
-                       || claims.accelerations();
+                       || statements.accelerations();
     auto const why = named ? no_named_motion(values, lowered(role.name).starts_with("a_")) : no_motion(values);
     if (!why.empty() && request.columns.empty() && !(named && request.by_place)) {
         throw InputError(

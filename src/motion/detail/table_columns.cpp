@@ -5,7 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
-#include "motion/detail/claimed_columns.hpp"
+#include "motion/detail/columns_by_text.hpp"
 #include "motion/detail/component_mapping.hpp"
 #include "motion/detail/mapping_words.hpp"
 #include "motion/detail/motion_look.hpp"
@@ -21,9 +21,10 @@ bool is_motion(Quantity quantity) { return quantity == Quantity::acceleration ||
 
 class Placing {
   public:
-    Placing(TextTable const& table, Claims const& claims, RecordRequest const& request, TableColumns& columns)
+    Placing(TextTable const& table, TextStatements const& statements, RecordRequest const& request,
+            TableColumns& columns)
         : table_(table),
-          claims_(claims),
+          statements_(statements),
           request_(request),
           columns_(columns),
           components_(request.format == "components"),
@@ -44,7 +45,7 @@ class Placing {
             take_stated(i, lowered(trimmed(words[i])));
         }
         check_each_once(words, where_, how_to_state(request_, table_.columns()));
-        take_claimed_component(columns_, claims_, request_.name, how_to_state(request_, table_.columns()));
+        take_stated_component(columns_, statements_, request_.name, how_to_state(request_, table_.columns()));
     }
 
     void as_named() {
@@ -70,9 +71,9 @@ class Placing {
                 refuse(i);
             }
         }
-        take_claimed_component(columns_, claims_, request_.name, how_to_state(request_, table_.columns()));
+        take_stated_component(columns_, statements_, request_.name, how_to_state(request_, table_.columns()));
         check_program_axes(columns_, where_, how_to_state(request_, table_.columns()));
-        check_told();
+        check_stated();
     }
 
     void unnamed() {
@@ -80,24 +81,24 @@ class Placing {
             throw InputError(where_, "one row only (a motion has more). Give the whole record");
         }
         auto const& first = table_.column[0];
-        auto const& named = claims_.components();
-        bool const all_named = named.size() == table_.columns() && claims_.time_step_s();
+        auto const& named = statements_.components();
+        bool const all_named = named.size() == table_.columns() && statements_.time_step_s();
         bool const rises = std::ranges::is_sorted(first) && first.front() < first.back();
         std::size_t const begin = table_.columns() > 1 && rises && !components_ && !all_named ? 1 : 0;
         if (begin == 1) {
-            check_seconds(first, claims_, where_, how_to_state(request_, table_.columns()));
+            check_seconds(first, statements_, where_, how_to_state(request_, table_.columns()));
             columns_.time = 0;
         }
         auto const motions = table_.columns() - begin;
-        bool const claimed = named.size() == motions;
+        bool const in_text = named.size() == motions;
         for (std::size_t i = 0; i < motions; ++i) {
             ColumnRole role;
-            role.name = claimed ? named[i] : motions > 1 ? fmt::format("column {}", begin + i + 1) : std::string();
-            role.component = claimed ? component_named(named[i]) : ComponentName{};
+            role.name = in_text ? named[i] : motions > 1 ? fmt::format("column {}", begin + i + 1) : std::string();
+            role.component = in_text ? component_named(named[i]) : ComponentName{};
             columns_.motions.push_back({begin + i, role});
         }
-        take_claimed_component(columns_, claims_, request_.name, how_to_state(request_, table_.columns()));
-        check_told();
+        take_stated_component(columns_, statements_, request_.name, how_to_state(request_, table_.columns()));
+        check_stated();
     }
 
   private:
@@ -119,16 +120,16 @@ class Placing {
             throw InputError(where_, fmt::format("'{}' for column {} (must be time, h1, h2, v, down or -). {}", word,
                                                  i + 1, how_to_state(request_, table_.columns())));
         }
-        auto const said = is_axis_name(role.name) ? Direction::unknown : role.component.direction;
+        auto const direction = is_axis_name(role.name) ? Direction::unknown : role.component.direction;
         bool const t = role.component.axis == "t" && role.quantity == Quantity::time;  // the letter T
         if ((!is_motion(role.quantity) && !t)
-            || (said != Direction::unknown && (said != Direction::horizontal) != vertical)) {
+            || (direction != Direction::unknown && (direction != Direction::horizontal) != vertical)) {
             contradict(i, word);
         }
         auto placed = role;
         placed.quantity = Quantity::acceleration;
         placed.component = word == "down" ? ComponentName{Direction::down}
-                           : vertical     ? ComponentName{said == Direction::unknown ? Direction::up : said}
+                           : vertical     ? ComponentName{direction == Direction::unknown ? Direction::up : direction}
                                           : ComponentName{Direction::horizontal, word};
         placed.name = role.name.empty() ? fmt::format("column {}", i + 1) : role.name;
         bool const first = word == "h1" || word == "h";
@@ -223,11 +224,11 @@ class Placing {
     }
 
     /// \throws InputError unless it is known of each of several which it is
-    void check_told() {
-        bool const untold = std::ranges::all_of(columns_.motions, [](PlacedColumn const& column) {
+    void check_stated() {
+        bool const unstated = std::ranges::all_of(columns_.motions, [](PlacedColumn const& column) {
             return column.role.component.direction == Direction::unknown;
         });
-        if (request_.by_place && untold) {
+        if (request_.by_place && unstated) {
             tell_by_place();
         }
         if (columns_.motions.empty()) {
@@ -256,15 +257,15 @@ class Placing {
         auto const& second = other.role.component;
         bool const both = first.direction == Direction::horizontal && second.direction == Direction::horizontal;
         double const apart = degrees_between(first, second).value_or(least_deg);
-        bool const alike = first.axis == second.axis || (apart < least_deg && !request_.by_place);
-        if (one.column < other.column && both && alike) {
+        bool const same = first.axis == second.axis || (apart < least_deg && !request_.by_place);
+        if (one.column < other.column && both && same) {
             throw InputError(where_, fmt::format("columns '{}' and '{}' (two of one direction). {}", one.role.name,
                                                  other.role.name, how_to_state(request_, table_.columns())));
         }
     }
 
     TextTable const& table_;
-    Claims const& claims_;
+    TextStatements const& statements_;
     RecordRequest const& request_;
     TableColumns& columns_;
     bool components_;  // are stated to stand there, without a time
@@ -273,14 +274,15 @@ class Placing {
 
 }  // namespace
 
-void place_columns(TextTable const& table, Claims const& claims, RecordRequest const& request, TableColumns& columns) {
+void place_columns(TextTable const& table, TextStatements const& statements, RecordRequest const& request,
+                   TableColumns& columns) {
     forget_numbered(columns.roles);
-    Placing placing(table, claims, request, columns);
+    Placing placing(table, statements, request, columns);
     if (!request.columns.empty()) {
         placing.as_stated();
     } else if (!columns.roles.empty()) {
         if (!request.by_place) {
-            take_mapped_components(table, claims, columns, request.name, how_to_state(request, table.columns()));
+            take_mapped_components(table, statements, columns, request.name, how_to_state(request, table.columns()));
         }
         placing.as_named();
     } else {

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "motion/claims.hpp"
 #include "motion/column_role.hpp"
 #include "motion/record.hpp"
+#include "motion/text_statements.hpp"
 #include "motion/text_table.hpp"
 
 namespace overturn {
@@ -36,7 +36,7 @@ struct TableColumns {
     std::vector<MappedColumn> mapped = {};  ///< by lines of text
 };
 
-/// The names above the numbers, taken out of the claims' lines; none if no line of as many names is there.
+/// The names above the numbers, taken out of the statements' lines; none if no line of as many names is there.
 /// \throws InputError at a line of names of another number
 [[nodiscard]] TableColumns named_columns(TextTable const& table, RecordRequest const& request);
 
@@ -54,6 +54,7 @@ void forget_numbered(std::vector<ColumnRole>& roles);
 
 /// Fills time, motions and left_out. \throws InputError if a column cannot be identified, with what to state, or if
 /// what the request states contradicts a name
-void place_columns(TextTable const& table, Claims const& claims, RecordRequest const& request, TableColumns& columns);
+void place_columns(TextTable const& table, TextStatements const& statements, RecordRequest const& request,
+                   TableColumns& columns);
 
 }  // namespace overturn

@@ -15,7 +15,9 @@ namespace {
 
 using Text = std::string_view;
 
-std::size_t known_of(std::vector<ColumnRole> const& roles) { return std::ranges::count_if(roles, &ColumnRole::said); }
+std::size_t known_of(std::vector<ColumnRole> const& roles) {
+    return std::ranges::count_if(roles, &ColumnRole::is_known);
+}
 
 std::vector<ColumnRole> roles_of(std::vector<std::string> const& names) {
     std::vector<ColumnRole> roles;

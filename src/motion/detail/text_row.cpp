@@ -125,7 +125,7 @@ bool has_decimal_commas(Text line) {
     return between_digits && (before_nought || line.find_first_of(" \t") != Text::npos);
 }
 
-std::string decimal_comma_said(Text line) {
+std::string decimal_comma_text(Text line) {
     return fmt::format("{} (is the comma a decimal point?). Write decimal points", in_quotes(trimmed(line)));
 }
 
@@ -166,7 +166,7 @@ void read_row(Text line, TextRow& row) {
 
 bool begins_like_numbers(Text line, TextRow const& row) {
     constexpr std::size_t some = 2;
-    if (column_role(row.bad).quantity != Quantity::index && column_role(row.bad).said()) {
+    if (column_role(row.bad).quantity != Quantity::index && column_role(row.bad).is_known()) {
         return false;
     }
     auto const is_odd = [](std::string const& word) {

@@ -17,7 +17,7 @@ namespace overturn {
 [[nodiscard]] bool has_decimal_commas(std::string_view line);
 
 /// Advice for a line with decimal commas, with the line's text.
-[[nodiscard]] std::string decimal_comma_said(std::string_view line);
+[[nodiscard]] std::string decimal_comma_text(std::string_view line);
 
 /// Fields of a line that are parted by commas or semicolons, or that touch nowhere.
 struct TextRow {

@@ -14,7 +14,7 @@ namespace overturn {
 /// "hh:mm:ss", a date, a number at a word ("t0") and "relative time" are none.
 [[nodiscard]] bool tells_factor_of_time(std::string_view name);
 
-/// "t: ms", "time in ms", "Time [ms], a [gal]": SI value of the one unit that a line in lower case claims for the
+/// "t: ms", "time in ms", "Time [ms], a [gal]": SI value of the one unit that a line in lower case states for the
 /// times; nothing where other words or figures stand beside it in its clause.
 [[nodiscard]] std::optional<double> unit_of_times_in(std::string_view lower);
 

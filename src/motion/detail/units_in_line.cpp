@@ -3,7 +3,7 @@
 
 #include "core/digit.hpp"
 #include "motion/column_unit.hpp"
-#include "motion/detail/claim_words.hpp"
+#include "motion/detail/statement_words.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {

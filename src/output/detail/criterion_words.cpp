@@ -17,7 +17,7 @@ std::vector<std::string>& list_of(CriterionWords& words, Speaks speaks) {
     return speaks == Speaks::in_favour ? words.supports : speaks == Speaks::against ? words.against : words.open;
 }
 
-// No trial that was said safe and left the ground overturned.
+// No trial that was predicted safe and left the ground overturned.
 void say_none_false(CriterionWords& words, Safety safety, CriterionStudy const& study, double confidence) {
     auto const& tried = study.safe_uplifted_but_overturned;
     auto const& waves = study.waves_safe_uplifted_but_overturned;
@@ -42,7 +42,7 @@ void say_safety(CriterionWords& words, Safety safety, CriterionStudy const& stud
     auto const& tried = study.safe_uplifted_but_overturned;
     auto const& waves = study.waves_safe_uplifted_but_overturned;
     switch (safety) {
-        case Safety::none_said_safe:
+        case Safety::none_predicted_safe:
             words.open.emplace_back("not tested: V_WES predicted no trial safe");
             break;
         case Safety::none_uplifted:
@@ -85,7 +85,7 @@ void say_false_alarms(CriterionWords& words, Speaks speaks, CriterionStudy const
     }
 }
 
-// T0 and T1 with R in the other unit: the sources do not print which is meant, so what it decides is said.
+// T0 and T1 with R in the other unit: the sources do not print which is meant, so what it decides is stated.
 void say_unit(CriterionWords& words, MeasuredCriterion const& criterion) {
     auto const& share = criterion.study.safe_but_overturned;
     if (share.of > 0) {

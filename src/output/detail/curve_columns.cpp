@@ -61,7 +61,7 @@ void add_low_points(TableOf<Curve>& table) {
              if_fitted([](Fit const& fit) { return fit.hclpf() ? fit.intervals().hclpf : std::nullopt; }))
         .add("one_percent_point", unit_of_row(), "median exp(-2.326 sqrt(beta_r^2 + beta_u^2)); NaN: as hclpf",
              if_fitted([](Fit const& fit) { return fit.one_percent_point(); }));
-    for (double const confidence : told_confidences) {
+    for (double const confidence : reported_confidences) {
         auto const percent = std::lround(100 * confidence);
         table.add(fmt::format("median_at_{:02}", percent), unit_of_row(),
                   fmt::format("median of the curve of {} % confidence, whose beta is beta_r; NaN: beta_u is not known",
@@ -159,7 +159,7 @@ void add_check_columns(TableOf<Curve>& table, Passing passing) {
              penalised([](auto const& line) { return std::exp(line.log_median()); }))
         .add("penalised_beta", "1", "beta of the penalised fit",
              penalised([](auto const& line) { return line.beta(); }));
-    add_seen_columns(table, "bound", "the trials that bound P where all ended alike", passed_name(passing),
+    add_seen_columns(table, "bound", "the trials that bound P where all ended the same way", passed_name(passing),
                      seen(&FragilityFit::bound));
     add_seen_columns(table, "pooled", "several stripes together", passed_name(passing), seen(&FragilityFit::pooled));
     table

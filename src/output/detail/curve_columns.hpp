@@ -77,7 +77,7 @@ template <class Row> void add_quote_columns(TableOf<Row>& table, std::string con
              })
         .add("observed", "1", "the observed proportion, exact",
              [](Row const& row) { return row.part->trials > 0 ? std::optional(row.part->seen) : std::nullopt; });
-    add_seen_columns(table, "pooled", "stripes from there on that ended alike", passed,
+    add_seen_columns(table, "pooled", "stripes from there on that ended the same way", passed,
                      seen(&QuotedProbability::pooled));
     add_seen_columns(table, "below", "the nearest stripe below", passed, side(&Neighbours::below));
     add_seen_columns(table, "above", "the nearest stripe above", passed, side(&Neighbours::above));

@@ -19,7 +19,7 @@ std::string rare_text(CampaignSpec const& spec, std::span<RareBody const> bodies
     for (auto const& body : bodies) {
         auto const& limit = spec.limits[body.limit];
         text += fmt::format("\nrare events of {}{}, by {}\n{:>10}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {:>10}\n",
-                            spec.bodies[body.body].name, body.limit == 0 ? "" : ": " + said_name(limit, spec.limits),
+                            spec.bodies[body.body].name, body.limit == 0 ? "" : ": " + full_name(limit, spec.limits),
                             spec.levels.measure_name(), "amplitude", "P", "95 % interval", "c.o.v.", "method", "waves",
                             "crude");
         for (auto const& e : body.estimates) {

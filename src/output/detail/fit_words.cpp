@@ -14,8 +14,8 @@ namespace overturn::output {
 namespace {
 
 // Behind a number of trials that share what was drawn.
-std::string alike_text(double alike) {
-    return alike > 1 ? fmt::format(", counting {:g} as one", alike) : std::string();
+std::string group_text(double group_size) {
+    return group_size > 1 ? fmt::format(", counting {:g} as one", group_size) : std::string();
 }
 
 std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, double confidence) {
@@ -31,7 +31,7 @@ std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, doubl
     return fmt::format(
         "{}: no curve; P {} {:.4g} at {} ({} of {:g}{}, {:g} %)", what, none ? "<=" : ">=",
         none ? rounded_up(bound.probability.upper, digits) : rounded_down(bound.probability.lower, digits), where,
-        none ? "none" : "all", bound.units, alike_text(bound.alike), 100 * confidence);
+        none ? "none" : "all", bound.units, group_text(bound.group_size), 100 * confidence);
 }
 
 // What several stripes say together, if P does not fall.
@@ -146,7 +146,7 @@ std::string grid_text(std::int64_t waves) {
 
 std::string counts_text(SeenBound const& seen) {
     return fmt::format("{:g} of {:g}{}", seen.overturned, seen.units,
-                       seen.of_waves ? " independent waves" : alike_text(seen.alike));
+                       seen.of_waves ? " independent waves" : group_text(seen.group_size));
 }
 
 std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit const& unit, double confidence) {
@@ -186,7 +186,7 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
     if (fit.identifiable()) {  // without a curve nothing is resampled
         add_if(FragilityFlag::few_waves, fmt::format("only {} {}: bootstrap intervals are too short (coverage with "
                                                      "ten: 90 % instead of 95; with five: 84)",
-                                                     fit.waves, fit.alike > 1 ? "groups of waves" : "waves"));
+                                                     fit.waves, fit.group_size > 1 ? "groups of waves" : "waves"));
     }
     add_if(FragilityFlag::waves_left_out,
            fmt::format("curves and bootstrap use the first {} waves (2 million trials)", fit.waves));

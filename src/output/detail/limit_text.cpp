@@ -42,7 +42,7 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
     auto const& stated = spec.limits[limit];
     auto const& of = counted.limits[limit - 1];
     bool const grid = !counted.grid.empty();
-    auto text = fmt::format("\n{}, limit state {}: {}\n", counted.body, said_name(stated, spec.limits),
+    auto text = fmt::format("\n{}, limit state {}: {}\n", counted.body, full_name(stated, spec.limits),
                             definition_of(stated, spec.limits));
     auto const levels = shown_levels(spec.levels);
     TextGroup counts{{"trials"}, {"exceeded"}, {"undecided"}, {"failed"}};

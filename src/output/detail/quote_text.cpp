@@ -45,11 +45,11 @@ std::string bound_text(MeasuredFragility const& m, QuotedProbability const& q) {
 }
 
 // Behind bounds by what was seen, there or elsewhere.
-std::string exact_text(QuotedProbability const& q, double alike) {
+std::string exact_text(QuotedProbability const& q, double group_size) {
     if (q.bounds.lower == 0 && q.bounds.upper == 1) {
         return {};
     }
-    auto const how = alike > 1 ? fmt::format(" counting {:g} trials as one", alike) : std::string(" exact");
+    auto const how = group_size > 1 ? fmt::format(" counting {:g} trials as one", group_size) : std::string(" exact");
     return how + (q.pooled || q.source == QuotedProbability::Source::neighbours ? " if P does not decrease" : "");
 }
 
@@ -100,7 +100,7 @@ std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
                                  : std::string("no curve,");
     auto const bounds = q.source == Source::none ? std::string("no bound")
                                                  : fmt::format("{}{}", interval_text(q.bounds),
-                                                               q.source != Source::curve ? exact_text(q, m.fit.alike)
+                                                               q.source != Source::curve ? exact_text(q, m.fit.group_size)
                                                                : has(m.fit.flags, FragilityFlag::poor_fit)
                                                                    ? " by a curve that does not describe the data"
                                                                    : std::string());

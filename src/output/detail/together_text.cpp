@@ -19,9 +19,9 @@ std::string slope_text(Estimate const& estimate) {
     return fmt::format("{:.3g} {}", estimate.value, interval_text(estimate.interval));
 }
 
-std::string said_of(std::string const& name, CampaignSpec const& spec) {
+std::string name_in_text(std::string const& name, CampaignSpec const& spec) {
     auto const limit = std::ranges::find(spec.limits, name, &LimitState::name);
-    return limit == spec.limits.end() ? name : said_name(*limit, spec.limits);
+    return limit == spec.limits.end() ? name : full_name(*limit, spec.limits);
 }
 
 }  // namespace
@@ -37,7 +37,7 @@ std::string together_text(CampaignSpec const& spec, std::span<BodiesTogether con
             heads.push_back(fmt::format("{}/{}", spec.bodies[pair.first].name, spec.bodies[pair.second].name));
         }
         auto const did =
-            of.passing == Passing::exceeded ? "exceeds " + said_of(of.limit, spec) : std::string("overturns");
+            of.passing == Passing::exceeded ? "exceeds " + name_in_text(of.limit, spec) : std::string("overturns");
         auto const left = shown < of.joint.pairs.size()
                               ? fmt::format(" (the first {} of {} pairs; all in --json)", shown, of.joint.pairs.size())
                               : std::string();
@@ -85,10 +85,10 @@ std::string two_measures_text(CampaignSpec const& spec, std::span<TwoMeasures co
         fmt::format("\nP over two measures (SI), {:g} % intervals by resampling waves\n", 100 * confidence);
     for (auto const& of : fits) {
         auto const who =
-            of.limit == overturning_limit ? of.body : fmt::format("{}, {}", of.body, said_of(of.limit, spec));
+            of.limit == overturning_limit ? of.body : fmt::format("{}, {}", of.body, name_in_text(of.limit, spec));
         if (!of.fit) {
             text += fmt::format(
-                "  {}: no curve over {} and {} (all ended alike, are separated, or one measure is the "
+                "  {}: no curve over {} and {} (all ended the same way, are separated, or one measure is the "
                 "other's multiple)\n",
                 who, of.names[0], of.names[1]);
             continue;

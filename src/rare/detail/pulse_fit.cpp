@@ -115,15 +115,15 @@ Mixture fit_pulses(PulseFrame const& frame, std::span<FailedWave const> waves, F
     constexpr double kept = 0.95;  // no pulse is given up altogether
     std::vector<Pulse> pulses;
     for (std::size_t c = 0; c < options.pulses; ++c) {
-        std::vector<double> own(weights.size(), 0.0);
+        std::vector<double> of_group(weights.size(), 0.0);
         double sum = 0;
-        for (std::size_t i = 0; i < own.size(); ++i) {
-            own[i] = groups.of[i] == c ? weights[i] : 0;
-            sum += own[i];
+        for (std::size_t i = 0; i < of_group.size(); ++i) {
+            of_group[i] = groups.of[i] == c ? weights[i] : 0;
+            sum += of_group[i];
         }
         pulses.push_back({.lines = std::move(groups.means[c]),
                           .share = kept * sum / total + (1 - kept) / static_cast<double>(options.pulses),
-                          .arrival = arrivals(frame, waves, own, options)});
+                          .arrival = arrivals(frame, waves, of_group, options)});
     }
     return {frame, std::move(pulses)};
 }

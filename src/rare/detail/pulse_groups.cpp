@@ -102,7 +102,7 @@ std::vector<Lines> parted(std::vector<Lines> const& waves, std::span<double cons
         std::vector<std::size_t> other(second, heaviest->end());
         heaviest->erase(second, heaviest->end());
         if (other.empty() || heaviest->empty()) {
-            other = other.empty() ? *heaviest : other;  // all alike: the same pulse twice
+            other = other.empty() ? *heaviest : other;  // all equal: the same pulse twice
             *heaviest = other;
         }
         groups.push_back(std::move(other));

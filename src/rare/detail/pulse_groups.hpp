@@ -1,4 +1,4 @@
-/// Failing waves that look alike, put together.
+/// Similar failing waves, put together.
 #pragma once
 
 #include <complex>

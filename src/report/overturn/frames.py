@@ -41,7 +41,7 @@ def frame_of_bodies(tables, names=None):
 
 
 def shared(attributes):
-    """What all of them hold alike."""
+    """What all of them have in common."""
     return {key: value for key, value in attributes[0].items() if all(other.get(key) == value for other in attributes)}
 
 

@@ -1,4 +1,4 @@
-"""A results file, column by column: the one reader of it, for users, figures and pages alike."""
+"""A results file, column by column: the one reader of it, for users, figures and pages."""
 
 import hashlib
 import os

@@ -29,7 +29,7 @@ SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
 std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTrials const& trials, std::size_t body,
                                             double confidence) {
     std::vector<LevelQuantiles> list;
-    std::int64_t const alike = spec.source->about().waves_alike;
+    std::int64_t const group_size = spec.source->about().waves_per_draw;
     auto const add = [&](LevelResponse response, char const* quantity, char const* units, double fallen) {
         auto const& levels = spec.levels.levels;
         auto by_level = trials.by_level(body, response);
@@ -43,7 +43,7 @@ std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTr
             values.erase(known, values.end());
             std::sort(values.begin(), values.end());
             std::ranges::transform(quantile_shares, at.quantiles.begin(), [&](double share) {
-                return with_falls(sample_quantile(values, at.unknown, share, confidence, alike), fallen);
+                return with_falls(sample_quantile(values, at.unknown, share, confidence, group_size), fallen);
             });
             list.push_back(at);
         }

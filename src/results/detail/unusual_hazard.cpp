@@ -27,8 +27,8 @@ double last_rate(Looked const& of) { return of.hazard.points().back().annual_exc
 std::string at_text(Looked const& of, double intensity, double rate) {
     return fmt::format("{:.3g} exceedances a year of {} {}", rate, of.measure, hazard_text(of.hazard, intensity));
 }
-std::string first_said(Looked const& of, double rate) { return "it begins at " + at_text(of, of.hazard.first(), rate); }
-std::string last_said(Looked const& of, double rate) { return "it ends at " + at_text(of, of.hazard.last(), rate); }
+std::string first_text(Looked const& of, double rate) { return "it begins at " + at_text(of, of.hazard.first(), rate); }
+std::string last_text(Looked const& of, double rate) { return "it ends at " + at_text(of, of.hazard.last(), rate); }
 
 /// What is exceeded once in ten thousand years, from quiet sites to those on a fault.
 struct SeldomMotion {
@@ -72,12 +72,12 @@ double over_most(Looked const& of) {
     auto const* const known = seldom_motion(of);
     return known == nullptr ? not_known : seldom_intensity(of, Side::high) / known->most;
 }
-std::string seldom_said(Looked const& of, Side side) {
+std::string seldom_text(Looked const& of, Side side) {
     return fmt::format("{} of {} is exceeded 1e-4 times a year", hazard_text(of.hazard, seldom_intensity(of, side)),
                        of.measure);
 }
-std::string least_said(Looked const& of, double /*ratio*/) { return seldom_said(of, Side::low); }
-std::string most_said(Looked const& of, double /*ratio*/) { return seldom_said(of, Side::high); }
+std::string least_text(Looked const& of, double /*ratio*/) { return seldom_text(of, Side::low); }
+std::string most_text(Looked const& of, double /*ratio*/) { return seldom_text(of, Side::high); }
 
 // How much of the levels' range the curve covers, in decades.
 double covered(Looked const& of) {
@@ -87,7 +87,7 @@ double covered(Looked const& of) {
                ? std::log(std::min(high, of.hazard.last()) / std::max(low, of.hazard.first())) / std::log(high / low)
                : not_known;
 }
-std::string covered_said(Looked const& of, double share) {
+std::string covered_text(Looked const& of, double share) {
     return fmt::format("from {} to {} it covers {:.0f} % of {} to {}, where there are trials or a curve",
                        hazard_text(of.hazard, of.hazard.first()), hazard_text(of.hazard, of.hazard.last()), 100 * share,
                        of.axis.unit.text(of.axis.lowest), of.axis.unit.text(of.axis.highest));
@@ -96,11 +96,11 @@ std::string covered_said(Looked const& of, double share) {
 constexpr std::string_view of_a_year = "Check that it is of a year: of a return period its inverse";
 constexpr std::string_view unit_of_it = "Check the unit of its first column, and of the levels";
 constexpr std::array hazard_ranges{
-    UsualRange<Looked>{&first_rate, 1e-5, 1, &first_said, "usual: 1 to 1e-3 at its weakest motion", of_a_year},
-    UsualRange<Looked>{&last_rate, 1e-14, 1e-2, &last_said, "usual: 1e-4 to 1e-8 at its strongest motion", of_a_year},
-    UsualRange<Looked>{&over_least, 1, endless, &least_said, "more on any site", unit_of_it},
-    UsualRange<Looked>{&over_most, 0, 1, &most_said, "less on any site", unit_of_it},
-    UsualRange<Looked>{&covered, 0.25, endless, &covered_said, "usual: all of it", unit_of_it}};
+    UsualRange<Looked>{&first_rate, 1e-5, 1, &first_text, "usual: 1 to 1e-3 at its weakest motion", of_a_year},
+    UsualRange<Looked>{&last_rate, 1e-14, 1e-2, &last_text, "usual: 1e-4 to 1e-8 at its strongest motion", of_a_year},
+    UsualRange<Looked>{&over_least, 1, endless, &least_text, "more on any site", unit_of_it},
+    UsualRange<Looked>{&over_most, 0, 1, &most_text, "less on any site", unit_of_it},
+    UsualRange<Looked>{&covered, 0.25, endless, &covered_text, "usual: all of it", unit_of_it}};
 
 }  // namespace
 

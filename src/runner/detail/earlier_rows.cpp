@@ -108,7 +108,7 @@ KeptRows::Source KeptRows::source_of(std::unique_ptr<EarlierRows> rows) const {
         auto const found = std::ranges::find(there.bodies, spec_.bodies[b].name, &BodySpec::name);
         bool const known = found != there.bodies.end();
         source.bodies.push_back(known ? std::optional(found - there.bodies.begin()) : std::nullopt);
-        source.whole = source.whole && known && draws_alike(*rows, b, *source.bodies.back());
+        source.whole = source.whole && known && draws_as_before(*rows, b, *source.bodies.back());
     }
     for (auto const& level : spec_.levels.levels) {
         source.levels.push_back(level_there(there.levels, level.value));
@@ -118,7 +118,7 @@ KeptRows::Source KeptRows::source_of(std::unique_ptr<EarlierRows> rows) const {
 }
 
 // What scatters is drawn by the body's place, and where it is sliced by the number of waves.
-bool KeptRows::draws_alike(EarlierRows const& rows, std::size_t body, std::int64_t there) const {
+bool KeptRows::draws_as_before(EarlierRows const& rows, std::size_t body, std::int64_t there) const {
     bool const sliced = spec_.sampling != Sampling::independent && spec_.wave_count != rows.spec().wave_count;
     return spec_.bodies[body].scattering().empty() || (static_cast<std::int64_t>(body) == there && !sliced);
 }
@@ -204,7 +204,7 @@ std::optional<std::size_t> KeptRows::trial_in(Source const& source, std::int64_t
 // Waves that lie in an earlier campaign as they do in this one.
 void KeptRows::append(BlockRows& block, std::int64_t first_wave, Found const& from, std::int64_t count) const {
     auto const& plan = from.source->rows->plan();
-    auto const own = plan_.extra_bytes();
+    auto const bytes = plan_.extra_bytes();
     auto const rows = from.source->rows->rows(from.place, count);
     block.waves.insert(block.waves.end(), rows.waves.begin(), rows.waves.end());
     for (std::int64_t w = 0; w < count; ++w) {
@@ -216,7 +216,7 @@ void KeptRows::append(BlockRows& block, std::int64_t first_wave, Found const& fr
                 block.trials.rows.push_back(rows.trials.rows[place]);
                 block.trials.rows.back().body = b;
                 block.trials.rows.back().level = plan_.first_level(first_wave + w) + l;
-                copy_rows(rows.trials.extra, place * own, own, block.trials.extra);
+                copy_rows(rows.trials.extra, place * bytes, bytes, block.trials.extra);
             }
         }
     }
@@ -237,7 +237,7 @@ KeptRows::Read const& KeptRows::read(Found const& from) const {
 
 void KeptRows::put(KnownWave& known, std::int64_t wave, Found const& from) const {
     auto const& plan = from.source->rows->plan();
-    auto const own = plan_.extra_bytes();
+    auto const bytes = plan_.extra_bytes();
     auto const& there = read(from);
     auto const first = (from.place - there.first) * plan.trials_per_wave();
     known.row = there.rows.waves[from.place - there.first];
@@ -249,7 +249,7 @@ void KeptRows::put(KnownWave& known, std::int64_t wave, Found const& from) const
         known.known[t] = true;
         auto const row = first + static_cast<std::int64_t>(*place);
         known.trials.rows[t] = there.rows.trials.rows[row];
-        std::copy_n(there.rows.trials.extra.begin() + (row * own), own, known.trials.extra.begin() + (t * own));
+        std::copy_n(there.rows.trials.extra.begin() + (row * bytes), bytes, known.trials.extra.begin() + (t * bytes));
     }
 }
 

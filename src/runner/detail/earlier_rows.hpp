@@ -100,7 +100,7 @@ class KeptRows : public KnownTrials {
     struct Source {
         std::unique_ptr<EarlierRows> rows;
         std::vector<std::optional<std::int64_t>> bodies, levels;
-        bool whole = false;  ///< all bodies drawn alike, and rows of waves depend on no other body
+        bool whole = false;  ///< all bodies drawn as before, and rows of waves depend on no other body
     };
     /// The last waves that were read of one of them.
     struct Read {
@@ -113,7 +113,7 @@ class KeptRows : public KnownTrials {
         std::int64_t place = 0;
     };
     [[nodiscard]] Source source_of(std::unique_ptr<EarlierRows> rows) const;
-    [[nodiscard]] bool draws_alike(EarlierRows const& rows, std::size_t body, std::int64_t there) const;
+    [[nodiscard]] bool draws_as_before(EarlierRows const& rows, std::size_t body, std::int64_t there) const;
     [[nodiscard]] bool has_levels(Source const& source, std::int64_t wave) const;
     [[nodiscard]] Found whole_wave(std::int64_t wave) const;
     void append(BlockRows& block, std::int64_t first_wave, Found const& from, std::int64_t count) const;

@@ -7,7 +7,7 @@
 namespace overturn {
 
 /// All waves that may be drawn; for a part of waves that are held to a rule those that will probably be needed, which
-/// every part finds alike from the first 32. Waves that turn out to be missing are reported when the parts are merged.
+/// every part finds from the first 32. Waves that turn out to be missing are reported when the parts are merged.
 /// \throws InputError for a part of waves that each level draws for itself until enough of them are accepted
 [[nodiscard]] Plan plan_of_part(CampaignSpec const& spec, Part part);
 

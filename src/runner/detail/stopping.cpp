@@ -59,7 +59,7 @@ TargetLook look_at_target(CampaignSpec const& spec, Plan const& drawn, Plan cons
     TargetLook looked{true, {}};
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         for (std::size_t l = 0; l < spec.limits.size(); ++l) {
-            // Once it is missed and said why, the others cost time and change nothing.
+            // Once it is missed and reported, the others cost time and change nothing.
             if (looked.met || looked.obstacle.empty()) {
                 look(spec, statistics, b, l, looked);
             }

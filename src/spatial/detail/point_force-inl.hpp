@@ -201,7 +201,7 @@ OVERTURN_LANES_INLINE bool PointForce<V, Stride>::press(int i, Grips const& grip
     return true;
 }
 
-// Points come in pairs whose sums are made first, unfused: on opposite points of a symmetric base what both do alike
+// Points come in pairs whose sums are made first, unfused: on opposite points of a symmetric base what both do equally
 // cancels to the last bit, and mirrored motions are mirrored.
 template <class V, int Stride>
 template <bool AtStart>

@@ -12,7 +12,7 @@
 #include "core/units.hpp"
 #include "motion/text_lines.hpp"
 #include "spectra/detail/design_part.hpp"
-#include "spectra/detail/json_claims.hpp"
+#include "spectra/detail/json_statements.hpp"
 
 namespace overturn {
 namespace {
@@ -127,7 +127,7 @@ class Beside {
                 take(each, counts && !to_other, depth + 1);
                 keys_ = kept;
             } else if (counts && !leads && !to_other && !is_own_list(key, value)) {
-                take_claim(each, line);
+                take_statement(each, line);
             }
             keys_.pop_back();
         }
@@ -145,13 +145,13 @@ class Beside {
         }
     }
 
-    void take_claim(Json const& value, int line) {
-        auto claim = json_claim(keys_, value, kind_);
-        if (!claim.text.empty()) {
-            table_.text.push_back({std::move(claim.text), line});
+    void take_statement(Json const& value, int line) {
+        auto statement = json_statement(keys_, value, kind_);
+        if (!statement.text.empty()) {
+            table_.text.push_back({std::move(statement.text), line});
         }
-        if (!claim.period_unit.empty()) {
-            table_.first_name = fmt::format("T ({})", claim.period_unit);
+        if (!statement.period_unit.empty()) {
+            table_.first_name = fmt::format("T ({})", statement.period_unit);
         }
     }
 

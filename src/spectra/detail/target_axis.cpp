@@ -18,7 +18,7 @@ namespace {
 using Text = std::string_view;
 
 /// What a label of few words says of an axis.
-struct AxisSaid {
+struct AxisWords {
     bool frequency = false, period = false;
     std::optional<double> hertz, seconds;  ///< SI value of a unit beside it
 };
@@ -33,23 +33,23 @@ bool is_of_others(Text word) {
                             "fundamental", "band", "range", "from", "to", "damp", "high", "low"});
 }
 
-AxisSaid said_in(Text lower) {
+AxisWords words_in(Text lower) {
     constexpr std::size_t label = 7;
     auto const words = parted_at(lower, " \t:=()[]{},;#!%*\"'/");
     if (words.size() > label || std::ranges::any_of(words, is_of_others)) {
         return {};
     }
-    AxisSaid said;
+    AxisWords axis;
     for (auto const word : words) {
-        said.frequency = said.frequency || word == "f" || begins_so(word, {"freq", "fr\xC3\xA9q", "frec"});
-        said.period = said.period || word == "t" || begins_so(word, {"perio", "p\xC3\xA9rio"});
+        axis.frequency = axis.frequency || word == "f" || begins_so(word, {"freq", "fr\xC3\xA9q", "frec"});
+        axis.period = axis.period || word == "t" || begins_so(word, {"perio", "p\xC3\xA9rio"});
         if (auto const hertz = unit_spelled(word, Dimension::frequency)) {
-            said.hertz = hertz;
+            axis.hertz = hertz;
         } else if (auto const seconds = unit_spelled(word, Dimension::time); seconds && word != "t") {
-            said.seconds = seconds;
+            axis.seconds = seconds;
         }
     }
-    return said;
+    return axis;
 }
 
 [[noreturn]] void contradict(TextLine const& line, std::string_view what, std::string const& file) {
@@ -63,17 +63,17 @@ AxisSaid said_in(Text lower) {
 
 void check_axis_text(PairTable const& table, bool frequencies, double period_unit_s, std::string const& file) {
     for (auto const& line : table.text) {
-        auto const said = said_in(lowered(line.text));
-        if (said.frequency == said.period) {
+        auto const axis = words_in(lowered(line.text));
+        if (axis.frequency == axis.period) {
             continue;  // neither, or both: "frequency or period"
         }
-        if (said.frequency && !frequencies) {
+        if (axis.frequency && !frequencies) {
             contradict(line, "periods", file);
         }
-        if (said.period && frequencies && !said.hertz) {
+        if (axis.period && frequencies && !axis.hertz) {
             contradict(line, "frequencies", file);
         }
-        if (said.period && !frequencies && said.seconds && *said.seconds != period_unit_s) {
+        if (axis.period && !frequencies && axis.seconds && *axis.seconds != period_unit_s) {
             contradict(line, "periods in another unit", file);
         }
     }

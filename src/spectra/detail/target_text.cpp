@@ -6,11 +6,11 @@
 
 #include "core/digit.hpp"
 #include "core/units.hpp"
-#include "motion/claims.hpp"
 #include "motion/component_name.hpp"
 #include "motion/percent_in_name.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
+#include "motion/text_statements.hpp"
 #include "spectra/detail/target_names.hpp"
 
 namespace overturn {
@@ -71,16 +71,16 @@ std::optional<TargetKind> kind_of_word(Text lower) {
 }
 
 /// \throws InputError if the line calls the ordinates something else
-void check_line(TextLine const& line, TargetKind kind, Claims const& claims, std::string const& file) {
+void check_line(TextLine const& line, TargetKind kind, TextStatements const& statements, std::string const& file) {
     Location const where{file, line.number};
     auto const lower = lowered(line.text);
     auto const own = dimension_of(kind);
-    auto const& other = claims.other();
+    auto const& other = statements.other();
     if (!other.empty() && other != "a spectrum") {
         contradict(other + ", says the text,", std::string(name_of(own)), where);
     }
-    auto const said = other == "a spectrum" ? kind_of_spectrum(lower) : std::nullopt;
-    auto const of_spectrum = said ? said : kind_of_word(lower);
+    auto const kind_stated = other == "a spectrum" ? kind_of_spectrum(lower) : std::nullopt;
+    auto const of_spectrum = kind_stated ? kind_stated : kind_of_word(lower);
     if (of_spectrum && dimension_of(*of_spectrum) != own) {
         contradict(fmt::format("a spectrum of {}, says the text,", name_of(dimension_of(*of_spectrum))),
                    std::string(name_of(own)), where);
@@ -229,26 +229,26 @@ bool is_plain(Text lower, double damping) {
 
 std::vector<std::string> check_text(PairTable const& table, TargetKind kind, double damping, std::string const& name) {
     std::vector<std::string> unread;
-    auto const told = [](Text text, int line) { return fmt::format("line {}: {}", line, in_quotes(trimmed(text))); };
+    auto const quoted = [](Text text, int line) { return fmt::format("line {}: {}", line, in_quotes(trimmed(text))); };
     if (name_tells_more(table.second_name, damping, {name, table.names_line})) {
-        unread.push_back(told(table.second_name, table.names_line));
+        unread.push_back(quoted(table.second_name, table.names_line));
     }
     for (auto const& line : table.text) {
-        Claims claims(dimension_of(kind));
-        claims.take(line.text, line.number);
-        check_line(line, kind, claims, name);
+        TextStatements statements(dimension_of(kind));
+        statements.take(line.text, line.number);
+        check_line(line, kind, statements, name);
         auto const lower = lowered(line.text);
         bool const damped = check_damping(lower, damping, {name, line.number});
         bool const vertical = std::ranges::any_of(
-            claims.components(), [](auto const& component) { return is_vertical(direction_of(component)); });
-        bool const telling = vertical || claims.states_peak() || tells_vertical(lower) || tells_other_spectrum(lower)
-                             || (!damped && speaks_of(lower, {"damp", "critical"}));
+            statements.components(), [](auto const& component) { return is_vertical(direction_of(component)); });
+        bool const telling = vertical || statements.states_peak() || tells_vertical(lower)
+                             || tells_other_spectrum(lower) || (!damped && speaks_of(lower, {"damp", "critical"}));
         bool const more = telling || tells_factor(lower) || !is_plain(lower, damping);
-        auto const said = !damped ? claims.unread() : std::vector<std::string>();
-        if (said.empty() && (damped ? more : telling)) {
-            unread.push_back(told(line.text, line.number));
+        auto const remarks = !damped ? statements.unread() : std::vector<std::string>();
+        if (remarks.empty() && (damped ? more : telling)) {
+            unread.push_back(quoted(line.text, line.number));
         }
-        std::ranges::copy(said, std::back_inserter(unread));
+        std::ranges::copy(remarks, std::back_inserter(unread));
     }
     return unread;
 }

@@ -13,7 +13,7 @@
 
 namespace overturn {
 
-/// Counts by groups: waves whose trials are alike in all that is asked of them count together. Counts are whole
+/// Counts by groups: waves whose trials are equal in all that is asked of them count together. Counts are whole
 /// numbers in doubles, exact in any order.
 class DrawnWaves {
   public:

@@ -36,7 +36,7 @@ struct ProbitRegression {
     [[nodiscard]] std::optional<Eigen::VectorXd> reweighted(std::vector<double> const& times) const;
 };
 
-/// Newton's method on the concave log-likelihood (Pratt 1981). Nothing if it has no maximum: all ended alike, or
+/// Newton's method on the concave log-likelihood (Pratt 1981). Nothing if it has no maximum: all ended the same way, or
 /// outcomes are separated.
 [[nodiscard]] std::optional<ProbitRegression> regress(ProbitDesign const& design);
 

@@ -55,7 +55,7 @@ std::optional<Neighbours> neighbours_of(double intensity, FragilityFit const& fi
 double least_share(QuotedProbability const& quoted, FragilityFit const& fit, std::optional<SeenBound> const& from) {
     bool const nearest = quoted.trials == 0 && from && from->units > 0;
     double const groups =
-        nearest ? from->units / from->alike : (quoted.trials > 0 ? quoted.trials : fit.trials) / fit.alike;
+        nearest ? from->units / from->group_size : (quoted.trials > 0 ? quoted.trials : fit.trials) / fit.group_size;
     return decade / groups;
 }
 
@@ -65,7 +65,8 @@ Interval interval_of(FragilityPoint const& point, double confidence) {
     auto const passed = static_cast<std::int64_t>(point.overturned);
     auto const open = static_cast<std::int64_t>(point.undecided);
     auto const trials = static_cast<std::int64_t>(point.trials) + open;
-    return clopper_pearson_of_groups(passed, passed + open, trials, static_cast<std::int64_t>(point.alike), confidence);
+    return clopper_pearson_of_groups(passed, passed + open, trials, static_cast<std::int64_t>(point.group_size),
+                                     confidence);
 }
 
 QuotedProbability seen_at(Quote const& quote, FragilityFit const& fit, FragilityData const& data, double confidence) {
@@ -85,14 +86,14 @@ QuotedProbability seen_at(Quote const& quote, FragilityFit const& fit, Fragility
         quoted.seen = interval_of(point, confidence);
         auto const from = seen_from(quote.intensity, data, may_pool(fit, data), confidence);
         quoted.pooled = from && from->units > point.trials ? from : std::nullopt;
-        bool const alike = point.overturned == 0 || point.overturned == point.trials;
-        if (alike || fit.state != FragilityState::fitted) {
+        bool const same = point.overturned == 0 || point.overturned == point.trials;
+        if (same || fit.state != FragilityState::fitted) {
             quote_stripe(quoted);
         }
     }
     if (quoted.trials == 0 && !quoted.outside_data) {
         quoted.neighbours = neighbours_of(quote.intensity, fit, data, confidence);
-        if (quoted.neighbours && (quoted.neighbours->alike() || fit.state != FragilityState::fitted)) {
+        if (quoted.neighbours && (quoted.neighbours->same_end() || fit.state != FragilityState::fitted)) {
             quote_neighbours(quoted);
         }
     }

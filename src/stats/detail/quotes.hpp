@@ -9,7 +9,7 @@ namespace overturn {
 /// Two intensities this near [relative] are one.
 inline constexpr double same_intensity = 1e-9;
 
-/// Clopper-Pearson of counts, groups of alike trials as one, undecided trials standing for the lower end and fallen for
+/// Clopper-Pearson of counts, a group of trials as one, undecided trials standing for the lower end and fallen for
 /// the upper one.
 [[nodiscard]] Interval interval_of(FragilityPoint const& point, double confidence);
 

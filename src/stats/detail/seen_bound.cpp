@@ -105,7 +105,7 @@ SeenBound seen_together(std::span<FragilityPoint const> points, double confidenc
             sum.trials,
             sum.overturned,
             interval_of(sum, confidence),
-            sum.alike};
+            sum.group_size};
 }
 
 std::optional<SeenBound> seen_from(double intensity, FragilityData const& data, bool pools, double confidence) {

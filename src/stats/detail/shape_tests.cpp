@@ -20,7 +20,7 @@ constexpr double enough_chance = 0.1;  // no alarm, whatever else may be
 
 int enough_of(std::size_t points) { return points > many_points ? 20 : 100; }
 
-// Independent trials anew, groups of alike ones as one.
+// Independent trials anew, a group as one.
 class NullDraws {
   public:
     NullDraws(std::span<FragilityPoint const> points, std::vector<double> probabilities)
@@ -29,9 +29,9 @@ class NullDraws {
         for (std::size_t i = 0; i < drawn_.size(); ++i) {
             auto& point = drawn_[i];
             double const groups = std::floor(point.groups());
-            double const rest = point.trials - groups * point.alike;
+            double const rest = point.trials - groups * point.group_size;
             point.overturned =
-                point.alike * fallen(stream, p_[i], groups) + rest * fallen(stream, p_[i], rest > 0 ? 1 : 0);
+                point.group_size * fallen(stream, p_[i], groups) + rest * fallen(stream, p_[i], rest > 0 ? 1 : 0);
         }
         return drawn_;
     }

@@ -38,7 +38,7 @@ SeenBound tail_bound(FragilityData const& data, FragilityState state, double con
         // The group's mean halves it, near enough to say where it lies.
         bound.from = std::exp(std::min(edge, group.log_intensity));
         bound.to = std::exp(std::max(edge, group.log_intensity));
-        bound.alike = 1;
+        bound.group_size = 1;
         bound.units = static_cast<double>(waves_of(data.trials, bound.from, bound.to * (1 + 1e-12)));
         bound.overturned = none ? 0 : bound.units;
         bound.probability = interval_of({0, bound.units, bound.overturned}, confidence);

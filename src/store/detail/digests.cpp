@@ -239,7 +239,7 @@ std::string text_of(std::map<std::string, std::string> const& digests) {
     return text;
 }
 
-std::string differences(std::string const& told, std::map<std::string, std::string> const& found) {
+std::string differences(std::string const& stated, std::map<std::string, std::string> const& found) {
     auto const read = [](std::string const& text) {
         std::map<std::string, std::string> digests;
         std::istringstream lines(text);
@@ -250,7 +250,7 @@ std::string differences(std::string const& told, std::map<std::string, std::stri
         }
         return digests;
     };
-    auto const before = read(told);
+    auto const before = read(stated);
     auto const now = read(text_of(found));
     std::vector<std::string> names;
     for (auto const& [path, digest] : before) {

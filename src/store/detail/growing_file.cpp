@@ -12,7 +12,7 @@ namespace overturn::store {
 
 ResultsWriter::Growing::Growing(std::string const& path, Layout how) : layout(how) {
     require_memory_for_hdf5();
-    // Ours alone by the run's claim: HDF5's own lock would fail where a file system has none.
+    // Ours alone by the run's lock: HDF5's own lock would fail where a file system has none.
     PropertyList const access(checked(H5Pcreate(H5P_FILE_ACCESS), "make file properties"));
     checked(H5Pset_file_locking(access.id(), false, true), "leave locks out");
     // Nothing is held back for later, when a dataset is closed and no error is heard: to flush each costs more.

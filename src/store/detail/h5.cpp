@@ -65,8 +65,8 @@ template <class Result> Result checked(Result result, std::string const& what) {
         std::string reason = "no reason given";
         H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, &innermost, &reason);
         std::replace(reason.begin(), reason.end(), '\n', ' ');  // a message is one line
-        auto const told = error_of_system(what, reason);
-        throw SystemError(told.empty() ? fmt::format("HDF5: cannot {} ({})", what, reason) : told);
+        auto const text = error_of_system(what, reason);
+        throw SystemError(text.empty() ? fmt::format("HDF5: cannot {} ({})", what, reason) : text);
     }
     return result;
 }

@@ -44,6 +44,6 @@ inline constexpr char const* digest_stretch = "stretch_bytes";
 [[nodiscard]] std::string text_of(std::map<std::string, std::string> const& digests);
 
 /// "/trials/v_wes changed, /trials/x is gone": objects that differ from those in a text_of; empty if none does.
-[[nodiscard]] std::string differences(std::string const& told, std::map<std::string, std::string> const& found);
+[[nodiscard]] std::string differences(std::string const& stated, std::map<std::string, std::string> const& found);
 
 }  // namespace overturn::store

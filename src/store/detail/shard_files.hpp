@@ -9,7 +9,7 @@
 #include <string>
 #include <string_view>
 
-#include "store/claim.hpp"
+#include "store/block_lock.hpp"
 
 namespace overturn::store {
 

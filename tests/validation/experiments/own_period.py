@@ -50,7 +50,7 @@ def choose(fixed, own, fell):
 def conclusion(false_safe, false_alarm):
     """Of the intervals of the own period's share of tests less that of the fixed band."""
     if [*false_safe, *false_alarm] == [0, 0, 0, 0]:
-        return "no gain: every test is called alike"
+        return "no gain: every test is predicted the same"
     if false_alarm[1] < 0:
         return "gain: fewer false alarms, and no more false safe" if false_safe[1] <= 0 else \
             "no gain: fewer false alarms are paid for with false safe" if false_safe[0] > 0 else \

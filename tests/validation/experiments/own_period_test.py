@@ -57,7 +57,7 @@ class Choice(unittest.TestCase):
 
     def test_says_what_the_intervals_say(self):
         for false_safe, false_alarm, said in (
-                ([0, 0], [0, 0], "every test is called alike"), ([0, 0], [-.2, -.1], "gain: "), ([-.1, 0], [-.2, -.1], "gain: "),
+                ([0, 0], [0, 0], "every test is predicted the same"), ([0, 0], [-.2, -.1], "gain: "), ([-.1, 0], [-.2, -.1], "gain: "),
                 ([.01, .1], [-.2, -.1], "no gain: fewer"), ([-.1, .1], [-.2, -.1], "cannot be decided: fewer"),
                 ([.01, .1], [-.1, .1], "no gain: more"), ([-.1, .1], [.01, .1], "no gain: more"),
                 ([-.1, .1], [-.1, .1], "cannot be decided with")):

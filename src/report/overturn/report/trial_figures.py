@@ -148,7 +148,7 @@ def wave_quality(results, path):
 
 
 def axes_compared(results, path):
-    """V_resp over V_WES, in units of V_Ereq, for bodies under one, two and three components; False if all are alike, or nothing was
+    """V_resp over V_WES, in units of V_Ereq, for bodies under one, two and three components; False if all are the same, or nothing was
     measured."""
     shaken = {}
     for body in results.bodies:

@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "motion/claims.hpp"
-#include "motion/detail/claim_words.hpp"
+#include "motion/detail/statement_words.hpp"
 #include "motion/detail/vertical_token.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
+#include "motion/text_statements.hpp"
 
 namespace overturn {
 namespace {
@@ -40,7 +40,7 @@ std::string_view without_number(std::string_view text) {
 
 }  // namespace
 
-bool Claims::take_components(std::string_view line, std::string const& lower, int number) {
+bool TextStatements::take_components(std::string_view line, std::string const& lower, int number) {
     for (auto const& name : compass_words_in(line)) {
         all_components_.emplace_back(name, number);
     }
@@ -48,7 +48,7 @@ bool Claims::take_components(std::string_view line, std::string const& lower, in
                             && lower.find(" sps, ") != std::string::npos;  // whose reader knows its channel
     if (auto const token = vertical_token_in(lower); !token.empty() && vertical_line_ == 0 && !earthscope) {
         vertical_line_ = number;
-        vertical_said_ =
+        vertical_text_ =
             fmt::format("{} (it names '{}', so the accelerations may be vertical)", in_quotes(trimmed(line)), token);
     }
     for (std::string_view const key :

@@ -1,4 +1,4 @@
-#include "cli/assumptions_told.hpp"
+#include "cli/assumptions_text.hpp"
 
 #include <algorithm>
 #include <array>

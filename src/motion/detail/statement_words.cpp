@@ -1,4 +1,4 @@
-#include "motion/detail/claim_words.hpp"
+#include "motion/detail/statement_words.hpp"
 
 #include <algorithm>
 #include <array>
@@ -74,12 +74,12 @@ std::optional<double> step_behind(Text text, bool is_rate, bool strict) {
     if (!before.empty()) {
         return step_of(*value, before);
     }
-    auto const said = step_of(*value, behind);
+    auto const stated = step_of(*value, behind);
     constexpr double longest_s = 1;
-    if (strict && !said && (!behind.empty() || (is_rate ? 1 / *value : *value) > longest_s)) {
+    if (strict && !stated && (!behind.empty() || (is_rate ? 1 / *value : *value) > longest_s)) {
         return std::nullopt;
     }
-    return said ? said : is_rate ? 1 / *value : *value;
+    return stated ? stated : is_rate ? 1 / *value : *value;
 }
 
 /// "200 samples per second", "200 sps". [s]

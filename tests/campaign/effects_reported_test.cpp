@@ -79,19 +79,19 @@ TEST(StatedEffects, FrictionThatTheyIgnoreIsReported) {
 // Points grip by the kinetic coefficient: where the static one alone is above tan(alpha), 0.431, a body slides that
 // would rock.
 TEST(StatedEffects, StaticFrictionThatPointsDoNotHaveIsReported) {
-    auto const told_of = [](std::string const& body_keys, std::string const& effects = "") {
+    auto const warned_of = [](std::string const& body_keys, std::string const& effects = "") {
         return told(warnings_of(campaign_from(campaign_with(body_keys, effects))),
                     "it slides where it would rock first");
     };
     std::string const apart = "friction={static=0.6, kinetic=0.4}\n";
     std::string const flat = "base={bedding='flat'}\n";
-    EXPECT_TRUE(told_of(apart + flat));
-    EXPECT_TRUE(told_of(apart + "base={shape='round'}\n"));
-    EXPECT_FALSE(told_of(apart)) << "two rigid corners hold by the static one";
-    EXPECT_FALSE(told_of(apart + flat, "[effects]\nmode='none'\n")) << "no points";
-    EXPECT_FALSE(told_of("friction={static=0.6, kinetic=0.45}\n" + flat)) << "it rocks by either";
-    EXPECT_FALSE(told_of("friction={static=0.42, kinetic=0.4}\n" + flat)) << "it slides by either";
-    EXPECT_FALSE(told_of("friction=0.6\n" + flat));
+    EXPECT_TRUE(warned_of(apart + flat));
+    EXPECT_TRUE(warned_of(apart + "base={shape='round'}\n"));
+    EXPECT_FALSE(warned_of(apart)) << "two rigid corners hold by the static one";
+    EXPECT_FALSE(warned_of(apart + flat, "[effects]\nmode='none'\n")) << "no points";
+    EXPECT_FALSE(warned_of("friction={static=0.6, kinetic=0.45}\n" + flat)) << "it rocks by either";
+    EXPECT_FALSE(warned_of("friction={static=0.42, kinetic=0.4}\n" + flat)) << "it slides by either";
+    EXPECT_FALSE(warned_of("friction=0.6\n" + flat));
 }
 
 // A limit to what the model of a body does not compute would decide nothing: it is said before the run.
@@ -122,7 +122,7 @@ TEST(StatedEffects, BasesAndComponentsThatTheyLeaveOutAreReported) {
         auto const all = model_assumptions();
         return std::ranges::find(all, name, &ModelAssumption::name)->bears(spec);
     };
-    auto const told_of = [&](std::string const& included, std::string const& part) {
+    auto const warned_of = [&](std::string const& included, std::string const& part) {
         auto const spec = campaign_from(campaign_with("friction=0.5\nbase={bedding='flat'}\npad={strength='3 MPa'}\n",
                                                       "[effects]\n" + included + "\n"));
         bool const on_bed = !told(warnings_of(spec), "it turns about two rigid corners (its base or pad is stated");
@@ -130,11 +130,11 @@ TEST(StatedEffects, BasesAndComponentsThatTheyLeaveOutAreReported) {
         EXPECT_EQ(bears(spec, "elastic-pad") == Bears::yes, !on_bed) << included;
         return told(warnings_of(spec), part);
     };
-    EXPECT_TRUE(told_of("include=['sliding']", "but effects (sliding) leave contact out"));
-    EXPECT_TRUE(told_of("mode='none'", "effects (none) leave contact out"));
-    EXPECT_FALSE(told_of("include=['contact', 'sliding']", "leave contact out"));
-    EXPECT_FALSE(told_of("include=['spatial']", "leave contact out")) << "motion in space is on a bed";
-    EXPECT_FALSE(told_of("mode='auto'", "out). Add"));
+    EXPECT_TRUE(warned_of("include=['sliding']", "but effects (sliding) leave contact out"));
+    EXPECT_TRUE(warned_of("mode='none'", "effects (none) leave contact out"));
+    EXPECT_FALSE(warned_of("include=['contact', 'sliding']", "leave contact out"));
+    EXPECT_FALSE(warned_of("include=['spatial']", "leave contact out")) << "motion in space is on a bed";
+    EXPECT_FALSE(warned_of("mode='auto'", "out). Add"));
 
     auto const spec = campaign_from(campaign_with("", ""));
     auto body = spec.bodies.front();

@@ -1,6 +1,6 @@
 // Requirement R-107: a stated unit or time step that contradicts a file's own prose or column names is an error, never
 // a silent reading in the wrong unit; what is packed or binary is named.
-#include "motion/claims.hpp"
+#include "motion/text_statements.hpp"
 
 #include <string>
 #include <utility>
@@ -19,13 +19,13 @@ using testing::expect_input_error;
 
 constexpr double gal = 0.01;
 
-Claims heard(std::string const& line) {
-    Claims prose;
+TextStatements heard(std::string const& line) {
+    TextStatements prose;
     prose.take(line, 3);
     return prose;
 }
 
-TEST(Claims, UnitsAreHeardInEverySpelling) {
+TEST(TextStatements, UnitsAreHeardInEverySpelling) {
     struct Said {
         char const* line;
         double si;
@@ -55,28 +55,28 @@ TEST(Claims, UnitsAreHeardInEverySpelling) {
 }
 
 // of a table of velocities or displacements their own units are heard, and accelerations are another quantity.
-TEST(Claims, OfOtherDimensions) {
-    Claims velocities(Dimension::velocity);
+TEST(TextStatements, OfOtherDimensions) {
+    TextStatements velocities(Dimension::velocity);
     velocities.take("# pseudo velocity (cm/s)", 2);
     EXPECT_EQ(velocities.unit(), 0.01);
     EXPECT_TRUE(velocities.other().empty());
-    Claims wrong(Dimension::velocity);
+    TextStatements wrong(Dimension::velocity);
     wrong.take("units: gal", 2);
     EXPECT_EQ(wrong.other(), "accelerations");
     expect_input_error([&] { wrong.check_unit_of("pgv", "t"); }, "t:2: a unit of accelerations, column 'pgv'");
-    Claims lengths(Dimension::length);
+    TextStatements lengths(Dimension::length);
     lengths.take("displacement in cm", 1);
     EXPECT_EQ(lengths.unit(), 0.01);
     expect_input_error([&] { (void)lengths.unit_beside(1.0, {}, {"t", 3}); }, "t:1: unit cm, line 3 says m");
     expect_input_error([&] { (void)lengths.unit_beside({}, 1.0, {"t", 3}); }, "t:1: unit cm in the file, m stated");
     EXPECT_EQ(lengths.unit_beside({}, {}, {"t", 3}), 0.01);
-    EXPECT_EQ(Claims(Dimension::length).unit_beside({}, {}, {"t", 3}), std::nullopt);
+    EXPECT_EQ(TextStatements(Dimension::length).unit_beside({}, {}, {"t", 3}), std::nullopt);
     EXPECT_EQ(not_understood(std::vector<std::string>{}), "");
     EXPECT_EQ(not_understood(std::vector<std::string>{"a", "b", "c", "d", "e"}), " (not understood: a; b; c; 2 more)");
 }
 
 // a unit between commas, as a whole line or of several words is heard; one that is not known stands for none.
-TEST(Claims, UnitsOfSeveralWords) {
+TEST(TextStatements, UnitsOfSeveralWords) {
     for (auto const& [line, si] : {std::pair{"units: m s-2", 1.0},
                                    {"dt = 0.01, g", g0},
                                    {"G", g0},
@@ -105,7 +105,7 @@ TEST(Claims, UnitsOfSeveralWords) {
 }
 
 // a factor before a unit in a name, or a fraction of one, is no unit; "acc_g" may be of the ground.
-TEST(Claims, NamesWithOddUnits) {
+TEST(TextStatements, NamesWithOddUnits) {
     for (char const* name : {"acc 9.81 m/s2", "acc 1e-3 g", "acc_g/10", "acc g*1000", "acc_g", "Acceleration g"}) {
         expect_input_error(
             [&] {
@@ -118,7 +118,7 @@ TEST(Claims, NamesWithOddUnits) {
     }
 }
 
-TEST(Claims, StepsAreHeardInEverySpelling) {
+TEST(TextStatements, StepsAreHeardInEverySpelling) {
     struct Said {
         char const* line;
         double step;
@@ -170,7 +170,7 @@ TEST(Claims, StepsAreHeardInEverySpelling) {
 }
 
 // a list that calls its numbers velocities or displacements is refused.
-TEST(Claims, OtherQuantitiesAreRefused) {
+TEST(TextStatements, OtherQuantitiesAreRefused) {
     RecordRequest request;
     request.name = "r";
     for (char const* line :
@@ -188,24 +188,24 @@ TEST(Claims, OtherQuantitiesAreRefused) {
     }
 }
 
-TEST(Claims, TwoDifferentStatementsAreNoClaim) {
-    Claims prose;
+TEST(TextStatements, TwoDifferentStatementsAreNone) {
+    TextStatements prose;
     prose.take("values in g", 1);
     prose.take("values in gal", 2);
     prose.take("in gal", 3);
     EXPECT_FALSE(prose.unit());
-    Claims of_peak;
+    TextStatements of_peak;
     of_peak.take("PGA in g: 0.3", 1);
     of_peak.take("values in gal", 2);
     EXPECT_EQ(of_peak.unit(), gal);
 }
 
 // a component that the text names is that of the numbers, and what says nothing known is listed.
-TEST(Claims, ComponentsAreNamedAndTheRestIsListed) {
+TEST(TextStatements, ComponentsAreNamedAndTheRestIsListed) {
     auto const placed = read_placed("COMP. EW\nstation X\nblue ink\nin gal, dt = 0.01 s\n1\n-2\n3\n", {.name = "a"});
     EXPECT_EQ(placed.components, std::vector<std::string>{"EW"});
     EXPECT_EQ(placed.unread, std::vector<std::string>{"line 3: 'blue ink'"});
-    EXPECT_EQ(placed.claims, (std::vector<std::string>{"line 4: gal", "line 4: 0.01 s"}));
+    EXPECT_EQ(placed.statements, (std::vector<std::string>{"line 4: gal", "line 4: 0.01 s"}));
     auto const three =
         read_placed("components: E N Z\nunits: cm/s^2\n100 Hz sampling rate: 100 Hz\n1 2 3\n4 5 6\n", {.name = "a"});
     EXPECT_EQ(three.components, (std::vector<std::string>{"E", "N", "Z"}));
@@ -225,9 +225,9 @@ TEST(Contradictions, ListAgainstItsProse) {
     expect_input_error([&] { (void)read(gal, 0.005); }, "a.acc:4: ", "unit m/s2 in the file, gal stated");
     expect_input_error([&] { (void)read(1, 0.02); }, "a.acc:2: ", "time step of 0.005 s in the file, 0.02 s stated");
     expect_input_error([&] { (void)read(1, 0.02, true); }, "a.acc:2: ", "0.02 s stated");
-    auto const claimed = testing::read_record(prose_list, {.name = "a.acc"});
-    EXPECT_EQ(claimed.time_step_s, 0.005);
-    EXPECT_EQ(claimed.horizontal_mps2[3], -5);
+    auto const in_text = testing::read_record(prose_list, {.name = "a.acc"});
+    EXPECT_EQ(in_text.time_step_s, 0.005);
+    EXPECT_EQ(in_text.horizontal_mps2[3], -5);
 }
 
 TEST(Contradictions, ColumnsAgainstTheirComments) {

@@ -1,4 +1,4 @@
-#include "motion/detail/claimed_columns.hpp"
+#include "motion/detail/columns_by_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,11 +18,11 @@
 
 namespace overturn {
 
-Claims claims_of(TextTable const& table, TableColumns const& columns) {
-    Claims claims;
+TextStatements statements_of(TextTable const& table, TableColumns const& columns) {
+    TextStatements statements;
     bool const pair = !pair_above(table).empty();
     if (pair && table.head.size() > 1 && !is_comment(table.head.front().text)) {
-        claims.expect_title(table.head.front().number);
+        statements.expect_title(table.head.front().number);
     }
     auto const is_text = [&](TextLine const& line) {
         return std::ranges::find(columns.names_lines, line.number) == columns.names_lines.end();
@@ -31,20 +31,21 @@ Claims claims_of(TextTable const& table, TableColumns const& columns) {
     std::ranges::copy_if(std::span(table.head).first(table.head.size() - (pair ? 1 : 0)), std::back_inserter(text),
                          is_text);
     std::ranges::copy_if(table.notes, std::back_inserter(text), is_text);
-    claims.take(text, columns.names_line);
+    statements.take(text, columns.names_line);
     auto const is = [](Quantity quantity) { return [=](ColumnRole const& role) { return role.quantity == quantity; }; };
     if (std::ranges::any_of(columns.roles, is(Quantity::acceleration))) {
         constexpr std::array others{Quantity::velocity, Quantity::displacement, Quantity::counts, Quantity::spectrum,
                                     Quantity::other};
-        claims.take_named_accelerations(std::ranges::none_of(
+        statements.take_named_accelerations(std::ranges::none_of(
             others, [&](Quantity other) { return std::ranges::any_of(columns.roles, is(other)); }));
     }
-    return claims;
+    return statements;
 }
 
-std::optional<double> unit_of_times(TableColumns const& columns, Claims const& claims, std::string const& file) {
+std::optional<double> unit_of_times(TableColumns const& columns, TextStatements const& statements,
+                                    std::string const& file) {
     if (columns.roles.empty()) {
-        return claims.time_unit_s();
+        return statements.time_unit_s();
     }
     auto const& role = columns.roles[*columns.time];
     if (!role.unknown_unit.empty()) {
@@ -58,12 +59,12 @@ std::optional<double> unit_of_times(TableColumns const& columns, Claims const& c
                                      "be multiplied by it?). Name it time, or state the columns",
                                      role.name));
     }
-    if (role.unit && claims.time_unit_s() && *role.unit != *claims.time_unit_s()) {
-        throw InputError({file, claims.time_unit_line()},
+    if (role.unit && statements.time_unit_s() && *role.unit != *statements.time_unit_s()) {
+        throw InputError({file, statements.time_unit_line()},
                          fmt::format("times in {}, column '{}' (they contradict each other). Mend one of them",
-                                     name_of_time_unit(*claims.time_unit_s()), role.name));
+                                     name_of_time_unit(*statements.time_unit_s()), role.name));
     }
-    return role.unit ? role.unit : claims.time_unit_s();
+    return role.unit ? role.unit : statements.time_unit_s();
 }
 
 std::vector<std::string> telling_names(TableColumns const& columns) {
@@ -79,15 +80,15 @@ std::vector<std::string> telling_names(TableColumns const& columns) {
 namespace {
 
 /// \throws InputError if of the components that the text states none is a column, where all columns say what they are
-void check_claimed_are_there(TableColumns const& columns, Claims const& claims, std::string const& file) {
+void check_stated_are_there(TableColumns const& columns, TextStatements const& statements, std::string const& file) {
     auto const is_there = [&](std::pair<std::string, int> const& stated) {
-        auto const claimed = component_named(stated.first);
+        auto const in_text = component_named(stated.first);
         return std::ranges::any_of(columns.roles, [&](ColumnRole const& role) {
             bool const other = role.quantity == Quantity::time || role.quantity == Quantity::index;
-            return !other && may_be_one(role.component, claimed);
+            return !other && may_be_one(role.component, in_text);
         });
     };
-    auto const& all = claims.all_components();
+    auto const& all = statements.all_components();
     if (!all.empty() && !columns.roles.empty() && !columns.stated && std::ranges::none_of(all, is_there)) {
         throw InputError({file, all.front().second},
                          fmt::format("component '{}', which by its name no column is, as '{}' (they contradict each "
@@ -98,35 +99,35 @@ void check_claimed_are_there(TableColumns const& columns, Claims const& claims, 
 
 }  // namespace
 
-void take_claimed_component(TableColumns& columns, Claims const& claims, std::string const& file,
-                            std::string_view advice) {
+void take_stated_component(TableColumns& columns, TextStatements const& statements, std::string const& file,
+                           std::string_view advice) {
     if (columns.motions.size() == 1 && columns.motions.front().role.component.direction == Direction::unknown) {
-        claims.check_no_vertical(file, advice);
+        statements.check_no_vertical(file, advice);
     }
     if (!columns.motions.empty()) {
-        check_claimed_are_there(columns, claims, file);
+        check_stated_are_there(columns, statements, file);
     }
-    if (columns.motions.size() != 1 || claims.components().size() != 1) {
+    if (columns.motions.size() != 1 || statements.components().size() != 1) {
         return;
     }
     auto& role = columns.motions.front().role;
-    auto const claimed = component_named(claims.components().front());
+    auto const in_text = component_named(statements.components().front());
     if (role.component.direction == Direction::unknown) {
-        role.component = claimed;
-    } else if (claimed.direction != Direction::unknown
-               && is_vertical(claimed.direction) != is_vertical(role.component.direction)) {
-        throw InputError({file, claims.components_line()},
+        role.component = in_text;
+    } else if (in_text.direction != Direction::unknown
+               && is_vertical(in_text.direction) != is_vertical(role.component.direction)) {
+        throw InputError({file, statements.components_line()},
                          fmt::format("component '{}', column '{}' is {} (they contradict each other). Mend one of them",
-                                     claims.components().front(), role.name,
+                                     statements.components().front(), role.name,
                                      is_vertical(role.component.direction) ? "vertical" : "horizontal"));
     }
 }
 
-void check_seconds(std::vector<double> const& values, Claims const& claims, Location const& where,
+void check_seconds(std::vector<double> const& values, TextStatements const& statements, Location const& where,
                    std::string const& how) {
     constexpr std::size_t telling = 20;
-    if (values.size() >= telling && values[0] >= 0 && values[0] <= 1 && counts_rows(values) && !claims.time_step_s()
-        && !claims.time_unit_s()) {
+    if (values.size() >= telling && values[0] >= 0 && values[0] <= 1 && counts_rows(values) && !statements.time_step_s()
+        && !statements.time_unit_s()) {
         throw InputError(where, fmt::format("{}, {}, {}, ... in column 1 (a count of rows, or times in s?). Name the "
                                             "columns, or: {}",
                                             values[0], values[1], values[2], how));

@@ -1,5 +1,5 @@
-/// Claims of a file's text about its numbers: prose above them, comments. Each line is used, contradicts what the user
-/// states, or is listed as not understood.
+/// TextStatements of a file's text about its numbers: prose above them, comments. Each line is used, contradicts what
+/// the user states, or is listed as not understood.
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,15 @@
 
 namespace overturn {
 
-class Claims {
+class TextStatements {
   public:
-    /// Claims about accelerations, or about a table's column of another dimension: an acceleration, a velocity or a
-    /// length.
-    explicit Claims(Dimension of = Dimension::acceleration) : of_(of) {}
+    /// TextStatements about accelerations, or about a table's column of another dimension: an acceleration, a velocity
+    /// or a length.
+    explicit TextStatements(Dimension of = Dimension::acceleration) : of_(of) {}
 
     /// Looks for units ("in m/s/s", "(gal)", "units: g"), quantities ("velocity in cm/s", "M/S", "counts"), the time
     /// step or rate, the count, the peak and the components ("COMP. EW"). A unit in a line on a peak, a trigger or a
-    /// filter is of that alone. What is claimed twice, differently, is not claimed.
+    /// filter is of that alone. What is stated twice, differently, is not used.
     void take(std::string_view line, int number);
     /// All lines above, between and below the numbers, but that of the names.
     void take(std::span<TextLine const> lines, int names_line);
@@ -61,16 +61,16 @@ class Claims {
     /// Components of all lines that state some, "Channel 3: UD" among them, with the line of each.
     [[nodiscard]] std::vector<std::pair<std::string, int>> const& all_components() const { return all_components_; }
 
-    /// "line 10: m/s2", for each claim that is used.
+    /// "line 10: m/s2", for each statement that is used.
     [[nodiscard]] std::vector<std::string> used() const;
-    /// "line 3: 'Station X'", for each line that claims nothing known, and each in which a word that may change what
-    /// the numbers are ("vertical", "scaled by", "velocity") leads to no claim. The latter come first.
+    /// "line 3: 'Station X'", for each line that states nothing known, and each in which a word that may change what
+    /// the numbers are ("vertical", "scaled by", "velocity") leads to no statement. The latter come first.
     [[nodiscard]] std::vector<std::string> unread() const;
     /// The latter alone.
     [[nodiscard]] std::vector<std::string> const& telling() const { return telling_; }
     /// The line that calls numbers something else which their names, or the unit of another line, say are
     /// accelerations; empty: none.
-    [[nodiscard]] std::string beside_names() const { return named_ || unit_.value ? other_said_ : std::string(); }
+    [[nodiscard]] std::string beside_names() const { return named_ || unit_.value ? other_text_ : std::string(); }
 
     /// The unit of numbers whose names say `named` and whose user says `stated`; nothing if neither these nor the text
     /// say one. \param names where these stand \param advice where the stated unit contradicts the file
@@ -78,7 +78,8 @@ class Claims {
     [[nodiscard]] std::optional<double> unit_beside(std::optional<double> named, std::optional<double> stated,
                                                     Location const& names,
                                                     std::string_view advice = "Leave the stated unit out") const;
-    /// \throws InputError if what the request states contradicts what is claimed, or the numbers are no accelerations
+    /// \throws InputError if what the request states contradicts what the text states, or the numbers are no
+    /// accelerations
     void check(RecordRequest const& request) const;
     /// For numbers of one column among others. \throws InputError if the text states a unit of another quantity
     void check_unit_of(std::string_view column, std::string const& file) const;
@@ -87,18 +88,18 @@ class Claims {
     /// For numbers whose component neither a name nor the user states. \throws InputError if a line holds a word of the
     /// vertical and none of a horizontal component, and no line states the component
     void check_no_vertical(std::string const& file, std::string_view advice) const;
-    /// \throws InputError if times that rise by `step_s` contradict what is claimed
+    /// \throws InputError if times that rise by `step_s` contradict what the text states
     void check_times(double step_s, std::string const& file) const;
-    /// \throws InputError unless one of these counts of values is the one that is claimed, if any is
+    /// \throws InputError unless one of these counts of values is the one that the text states, if it states one
     void check_count(std::span<std::size_t const> counts, std::string const& file) const;
-    /// \param whole are these the peaks of all columns of the file? \throws InputError if a peak is claimed that the
-    /// peaks meet only in another unit, 100 or 981 times as much; or, of the whole file, not at all
-    /// \return the lines whose peak is none of these, where that may be another's
+    /// \param whole are these the peaks of all columns of the file? \throws InputError if the text states a peak that
+    /// the peaks meet only in another unit, 100 or 981 times as much; or, of the whole file, not at all \return the
+    /// lines whose peak is none of these, where that may be another's
     [[nodiscard]] std::vector<std::string> check_peaks(std::span<double const> peaks_mps2, double unit_mps2,
                                                        std::string const& file, bool whole) const;
 
   private:
-    struct Claim {
+    struct Statement {
         std::optional<double> value;
         int line = 0;
         bool contradicted = false;
@@ -123,11 +124,11 @@ class Claims {
     [[nodiscard]] bool tells_more(std::string const& lower, bool component, bool quantity, bool step) const;
 
     Dimension of_;
-    Claim unit_, step_, count_, time_unit_;
+    Statement unit_, step_, count_, time_unit_;
     std::vector<Peak> peaks_;
     int vertical_line_ = 0;  ///< that may say so of the numbers; 0: none
     int title_ = 0;          ///< its line; 0: none
-    std::string vertical_said_;
+    std::string vertical_text_;
     std::string doubt_;
     std::string unknown_unit_;
     int unknown_unit_line_ = 0;
@@ -136,7 +137,7 @@ class Claims {
     bool other_of_several_ = false;  ///< in a line that names such a quantity, perhaps beside accelerations
     bool doubted_ = false;           ///< is a unit of the line at hand among other words?
     bool other_unit_ = false;        ///< as that line's unit says, and it is not on where or when
-    std::string other_said_;
+    std::string other_text_;
     std::string plainly_other_;  ///< as a line of known words alone calls the numbers, without "accelerations"
     int plainly_other_line_ = 0;
     bool spectrum_ = false;  ///< of accelerations: the unit does not show it

@@ -17,14 +17,14 @@ namespace overturn {
 /// Does the name of a spectrum say more than that it is one: "verticalSpectrum", "floor", "displacement_spectrum"?
 [[nodiscard]] bool tells_of_spectrum(std::string_view words);
 
-struct JsonClaim {
+struct JsonStatement {
     std::string text;  ///< "units: g", "damping 0.02", "component: vertical"; empty: no statement on the spectrum
     std::string period_unit;  ///< "ms", where it says that
 };
 
 /// \param keys that lead to `value` from what holds the spectrum, the innermost last \param value no object
 /// \param kind of the ordinates: units of other quantities are not theirs
-[[nodiscard]] JsonClaim json_claim(std::span<std::string const> keys, nlohmann::ordered_json const& value,
-                                   TargetKind kind);
+[[nodiscard]] JsonStatement json_statement(std::span<std::string const> keys, nlohmann::ordered_json const& value,
+                                           TargetKind kind);
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-#include "motion/claims.hpp"
+#include "motion/text_statements.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,12 +9,12 @@
 #include "core/digit.hpp"
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
-#include "motion/detail/claim_words.hpp"
-#include "motion/detail/claimed_unit.hpp"
 #include "motion/detail/plain_words.hpp"
 #include "motion/detail/quantity_words.hpp"
 #include "motion/detail/record_readers.hpp"
+#include "motion/detail/statement_words.hpp"
 #include "motion/detail/time_words.hpp"
+#include "motion/detail/unit_in_text.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
 
@@ -67,7 +67,7 @@ bool says_nothing(Text line) { return line.find_first_not_of(" \t-=*#%;!/|:+.,_"
 
 }  // namespace
 
-void Claims::Claim::take(double stated, int number) {
+void TextStatements::Statement::take(double stated, int number) {
     if (value && !same_as_printed(stated, *value)) {
         contradicted = true;
         value.reset();
@@ -77,7 +77,7 @@ void Claims::Claim::take(double stated, int number) {
     }
 }
 
-bool Claims::take_unit(std::string const& lower, int number) {
+bool TextStatements::take_unit(std::string const& lower, int number) {
     if (of_ == Dimension::none) {
         return false;
     }
@@ -103,13 +103,13 @@ bool Claims::take_unit(std::string const& lower, int number) {
         return true;
     }
     if (!found && !one && (!is_provenance(lower) || !clauses.plain)) {
-        auto const claimed = claimed_unit(lower, of_);
-        claimed.si ? take_one(*claimed.si) : void();
-        if (!claimed.si && !claimed.unknown.empty() && unknown_unit_.empty()) {
-            unknown_unit_ = claimed.unknown;
+        auto const in_text = unit_in_text(lower, of_);
+        in_text.si ? take_one(*in_text.si) : void();
+        if (!in_text.si && !in_text.unknown.empty() && unknown_unit_.empty()) {
+            unknown_unit_ = in_text.unknown;
             unknown_unit_line_ = number;
         }
-        found = claimed.si || !claimed.unknown.empty();
+        found = in_text.si || !in_text.unknown.empty();
     }
     bool const aside = !found && !one && clauses.any;  // "Source: PEER, g"
     if (aside && doubt_.empty()) {
@@ -119,7 +119,7 @@ bool Claims::take_unit(std::string const& lower, int number) {
     return found && !one;
 }
 
-std::string_view Claims::other_than_own(Quantity quantity) const {
+std::string_view TextStatements::other_than_own(Quantity quantity) const {
     bool const own = (of_ == Dimension::velocity && quantity == Quantity::velocity)
                      || (of_ == Dimension::length && quantity == Quantity::displacement)
                      || (of_ == Dimension::acceleration && quantity == Quantity::acceleration);
@@ -127,7 +127,7 @@ std::string_view Claims::other_than_own(Quantity quantity) const {
 }
 
 /// "velocity in cm/s", "displacement (cm)", "FLOAT, M/S", "units: counts".
-bool Claims::take_other_quantity(Text line, std::string const& lower, int number) {
+bool TextStatements::take_other_quantity(Text line, std::string const& lower, int number) {
     if (is_of_one_value(lower) || holds(lower, "wave velocity") || holds(lower, "shear wave")
         || holds(lower, "shear-wave") || holds(lower, "shear vel")) {
         return false;
@@ -141,14 +141,14 @@ bool Claims::take_other_quantity(Text line, std::string const& lower, int number
             each_unit(lower, dimension, [&](double /*si*/) { found = other; });
         }
     }
-    if (found.empty() && of_ != Dimension::velocity && claimed_unit(lower, Dimension::velocity).si) {
+    if (found.empty() && of_ != Dimension::velocity && unit_in_text(lower, Dimension::velocity).si) {
         found = "velocities";  // "micrometers per second"
     }
     bool const per_count = holds(lower, "/count") || holds(lower, "per count");
-    auto const said = per_count ? Quantity::unknown : quantity_in_prose(lower);
-    auto const word = other_than_own(said);
-    spectrum_ = spectrum_ || said == Quantity::spectrum;
-    bool const counts = said == Quantity::counts || (holds_word(lower, "counts") && !per_count);
+    auto const quantity = per_count ? Quantity::unknown : quantity_in_prose(lower);
+    auto const word = other_than_own(quantity);
+    spectrum_ = spectrum_ || quantity == Quantity::spectrum;
+    bool const counts = quantity == Quantity::counts || (holds_word(lower, "counts") && !per_count);
     if (counts && beside_counts_ && !holds(lower, "unit")) {
         return false;
     }
@@ -157,8 +157,8 @@ bool Claims::take_other_quantity(Text line, std::string const& lower, int number
     if (found.empty()) {
         return false;
     }
-    bool const beside = (holds(lower, "accel") || holds_word(lower, "acc")) && said != Quantity::spectrum;
-    if (plainly_other_.empty() && !beside && said != Quantity::other && is_of_known_words(lower)) {
+    bool const beside = (holds(lower, "accel") || holds_word(lower, "acc")) && quantity != Quantity::spectrum;
+    if (plainly_other_.empty() && !beside && quantity != Quantity::other && is_of_known_words(lower)) {
         plainly_other_ = found;
         plainly_other_line_ = number;
     }
@@ -169,23 +169,23 @@ bool Claims::take_other_quantity(Text line, std::string const& lower, int number
         other_ = found;
         other_of_several_ = of_several;
         other_unit_ = !counts && !of_several && (!is_provenance(lower) || a_part_has_other_unit(line));
-        other_said_ = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
+        other_text_ = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
     }
     return true;
 }
 
 // "station ABC, units: m/s"
-bool Claims::a_part_has_other_unit(Text line) const {
+bool TextStatements::a_part_has_other_unit(Text line) const {
     auto const parts = parts_of(line);
     return parts.size() > 1 && std::ranges::any_of(parts, [&](Text part) {
-               Claims alone(of_);
+               TextStatements alone(of_);
                auto const lower = lowered(part);
                return !is_provenance(lower) && alone.take_other_quantity(part, lower, 1) && alone.other_unit_;
            });
 }
 
 // Is there a word that may change what the numbers are, and that nothing of the line accounts for?
-bool Claims::tells_more(std::string const& lower, bool component, bool quantity, bool step) const {
+bool TextStatements::tells_more(std::string const& lower, bool component, bool quantity, bool step) const {
     bool const other = of_ == Dimension::acceleration && !quantity && tells_other_quantity(lower);
     bool const hertz = !step && tells_rate(lower);
     bool const peak =
@@ -196,22 +196,22 @@ bool Claims::tells_more(std::string const& lower, bool component, bool quantity,
 }
 
 // "in gal, Fs=200": is there a part between commas with a figure that nothing of it accounts for?
-bool Claims::leaves_a_part(std::string const& lower) const {
+bool TextStatements::leaves_a_part(std::string const& lower) const {
     auto const found = parts_of(lower);
     return found.size() > 1 && std::ranges::any_of(found, [&](Text part) {
-               Claims alone(of_);
+               TextStatements alone(of_);
                alone.take(part, 1);
                return holds_open_figure(part) && !alone.unread().empty();
            });
 }
 
-std::vector<std::string> Claims::unread() const {
+std::vector<std::string> TextStatements::unread() const {
     auto all = telling_;
     all.insert(all.end(), unread_.begin(), unread_.end());
     return all;
 }
 
-void Claims::take(std::span<TextLine const> lines, int names_line) {
+void TextStatements::take(std::span<TextLine const> lines, int names_line) {
     for (auto const& line : lines) {
         if (line.number != names_line) {
             take(line.text, line.number);
@@ -219,7 +219,7 @@ void Claims::take(std::span<TextLine const> lines, int names_line) {
     }
 }
 
-void Claims::take(std::string_view line, int number) {
+void TextStatements::take(std::string_view line, int number) {
     if (says_nothing(line)) {
         return;
     }
@@ -243,25 +243,25 @@ void Claims::take(std::string_view line, int number) {
         understood = true;
     }
     bool const instrument = holds(lower, "accelero");  // -graph, -meter, -gram
-    auto const said = quantity_in_prose(lower);        // "acceleration spectrum", "integrated accelerations"
-    bool const of_others = said != Quantity::unknown && said != Quantity::acceleration;
+    auto const quantity = quantity_in_prose(lower);    // "acceleration spectrum", "integrated accelerations"
+    bool const of_others = quantity != Quantity::unknown && quantity != Quantity::acceleration;
     if ((holds(lower, "accel") && !instrument && !of_others) || holds_word(lower, "acc")
         || holds(lower, "\xE5\x8A\xA0\xE9\x80\x9F\xE5\xBA\xA6")) {
         accelerations_ = true;
         understood = true;
     }
-    auto const said_so = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
+    auto const quoted_line = fmt::format("line {}: {}", number, in_quotes(trimmed(line)));
     bool const of_unit = holds_word(lower, "unit") || holds_word(lower, "units");
     bool const left = understood ? leaves_a_part(lower) : of_unit;
     if (tells_more(times ? without(lower, "time in ") : lower, component, other, step.has_value()) || left
         || std::exchange(doubted_, false)) {
-        telling_.push_back(said_so);
+        telling_.push_back(quoted_line);
     } else if (!understood && !is_provenance(lower)) {
-        unread_.push_back(said_so);
+        unread_.push_back(quoted_line);
     }
 }
 
-std::vector<std::string> Claims::used() const {
+std::vector<std::string> TextStatements::used() const {
     std::vector<std::string> lines;
     if (components_.size() == 1 && is_vertical(direction_of(components_.front()))) {
         lines.push_back(fmt::format("line {}: component {}", components_line_, components_.front()));

@@ -17,7 +17,7 @@
 namespace overturn {
 namespace {
 
-TEST(AlikeWaves, WholeGroupsCountAsOneAndPartsOutwards) {
+TEST(SharedDraws, WholeGroupsCountAsOneAndPartsOutwards) {
     auto const whole = clopper_pearson_of_groups(30, 30, 200, 10, 0.95);
     EXPECT_EQ(whole.lower, clopper_pearson(3, 20, 0.95).lower);
     EXPECT_EQ(whole.upper, clopper_pearson(3, 20, 0.95).upper);
@@ -32,8 +32,8 @@ TEST(AlikeWaves, WholeGroupsCountAsOneAndPartsOutwards) {
     EXPECT_EQ(begun.upper, 1);
 }
 
-TEST(AlikeWaves, EveryCountTakesThem) {
-    Stripe const stripe{.amplitude = 1, .trials = 100, .overturned = 20, .undecided = 10, .alike = 10};
+TEST(SharedDraws, EveryCountTakesThem) {
+    Stripe const stripe{.amplitude = 1, .trials = 100, .overturned = 20, .undecided = 10, .group_size = 10};
     EXPECT_EQ(stripe.interval(0.95).lower, clopper_pearson(2, 10, 0.95).lower);
     EXPECT_EQ(stripe.interval(0.95).upper, clopper_pearson(3, 10, 0.95).upper);
     auto const share = share_of(20, 100, 0.95, 10);
@@ -45,7 +45,7 @@ TEST(AlikeWaves, EveryCountTakesThem) {
 
 // The sample ten times over: its order statistics say what those of one copy do, and where the copies differ a little
 // the outermost of them.
-TEST(AlikeWaves, QuantilesOfCopiesAreThoseOfOne) {
+TEST(SharedDraws, QuantilesOfCopiesAreThoseOfOne) {
     std::vector<double> once, copies, nearly;
     for (int i = 0; i < 60; ++i) {
         once.push_back(i);
@@ -66,30 +66,30 @@ TEST(AlikeWaves, QuantilesOfCopiesAreThoseOfOne) {
 }
 
 // A whole group ends together with the chance `share`, else each trial for itself: correlation `share` within it.
-std::int64_t fallen(RandomStream& stream, std::int64_t groups, std::int64_t alike, double share, double p) {
+std::int64_t fallen(RandomStream& stream, std::int64_t groups, std::int64_t group_size, double share, double p) {
     std::int64_t sum = 0;
     for (std::int64_t g = 0; g < groups; ++g) {
         bool const together = gsl_rng_uniform(stream.gsl()) < share;
-        sum += together ? (gsl_rng_uniform(stream.gsl()) < p ? alike : 0)
-                        : gsl_ran_binomial(stream.gsl(), p, static_cast<unsigned>(alike));
+        sum += together ? (gsl_rng_uniform(stream.gsl()) < p ? group_size : 0)
+                        : gsl_ran_binomial(stream.gsl(), p, static_cast<unsigned>(group_size));
     }
     return sum;
 }
 
 /// Property: whatever the correlation within a group, either end of the 95 % interval misses in 2.5 % at most; the
 /// interval that takes all trials as independent misses far oftener.
-TEST(AlikeWaves, IntervalsHoldWhateverTheirCorrelation) {
+TEST(SharedDraws, IntervalsHoldWhateverTheirCorrelation) {
     constexpr int repetitions = 4000;
-    constexpr std::int64_t groups = 60, alike = 10;
+    constexpr std::int64_t groups = 60, group_size = 10;
     double const most = 0.025 * repetitions + 2.6 * std::sqrt(0.025 * repetitions);
     for (double const share : {0.0, 0.3, 0.7, 1.0}) {
         for (double const p : {0.02, 0.2, 0.5}) {
             int below = 0, above = 0, independent = 0;
             for (std::uint64_t r = 0; r < repetitions; ++r) {
                 RandomStream stream(5, r, Purpose::body_scatter);
-                auto const k = fallen(stream, groups, alike, share, p);
-                auto const ends = clopper_pearson_of_groups(k, k, groups * alike, alike, 0.95);
-                auto const narrow = clopper_pearson(k, groups * alike, 0.95);
+                auto const k = fallen(stream, groups, group_size, share, p);
+                auto const ends = clopper_pearson_of_groups(k, k, groups * group_size, group_size, 0.95);
+                auto const narrow = clopper_pearson(k, groups * group_size, 0.95);
                 below += ends.upper < p ? 1 : 0;
                 above += ends.lower > p ? 1 : 0;
                 independent += narrow.upper < p || narrow.lower > p ? 1 : 0;
@@ -103,11 +103,11 @@ TEST(AlikeWaves, IntervalsHoldWhateverTheirCorrelation) {
     }
 }
 
-std::vector<Stripe> in_groups(std::vector<Stripe> stripes, std::int64_t alike) {
+std::vector<Stripe> in_groups(std::vector<Stripe> stripes, std::int64_t group_size) {
     for (auto& stripe : stripes) {
-        stripe.trials *= alike;
-        stripe.overturned *= alike;
-        stripe.alike = alike;
+        stripe.trials *= group_size;
+        stripe.overturned *= group_size;
+        stripe.group_size = group_size;
     }
     return stripes;
 }
@@ -119,7 +119,7 @@ FragilityFit fit_of(std::vector<Stripe> const& stripes, std::vector<Quote> quote
 }
 
 /// A table ten times over, in groups of ten, is judged as the table itself.
-TEST(AlikeWaves, CopiesTestACurveNoHarderThanTheTable) {
+TEST(SharedDraws, CopiesTestACurveNoHarderThanTheTable) {
     std::vector<Stripe> const once{{.amplitude = 2, .trials = 40, .overturned = 3},
                                    {.amplitude = 3, .trials = 40, .overturned = 13},
                                    {.amplitude = 4, .trials = 40, .overturned = 11},
@@ -128,7 +128,7 @@ TEST(AlikeWaves, CopiesTestACurveNoHarderThanTheTable) {
     auto const ten = fit_of(in_groups(once, 10), {{2, 1}});
     auto independent = in_groups(once, 10);
     for (auto& stripe : independent) {
-        stripe.alike = 1;
+        stripe.group_size = 1;
     }
     ASSERT_TRUE(one.identifiable() && ten.identifiable());
     EXPECT_NEAR(ten.line->log_median(), one.line->log_median(), 1e-9);
@@ -142,7 +142,7 @@ TEST(AlikeWaves, CopiesTestACurveNoHarderThanTheTable) {
 }
 
 /// Of campaigns whose groups fall together few true curves are rejected; counted one by one most are.
-TEST(AlikeWaves, TrueCurvesAreSeldomRejected) {
+TEST(SharedDraws, TrueCurvesAreSeldomRejected) {
     constexpr int repetitions = 300;
     int poor = 0, one_by_one = 0;
     for (std::uint64_t r = 0; r < repetitions; ++r) {
@@ -151,11 +151,11 @@ TEST(AlikeWaves, TrueCurvesAreSeldomRejected) {
         for (double const at : {6.0, 8.0, 9.0, 10.0, 12.0, 14.0}) {
             double const p = gsl_cdf_ugaussian_P(std::log(at / 10) / 0.3);
             stripes.push_back(
-                {.amplitude = at, .trials = 400, .overturned = fallen(stream, 40, 10, 0.7, p), .alike = 10});
+                {.amplitude = at, .trials = 400, .overturned = fallen(stream, 40, 10, 0.7, p), .group_size = 10});
         }
         poor += has(fit_of(stripes).flags, FragilityFlag::poor_fit) ? 1 : 0;
         for (auto& stripe : stripes) {
-            stripe.alike = 1;
+            stripe.group_size = 1;
         }
         one_by_one += has(fit_of(stripes).flags, FragilityFlag::poor_fit) ? 1 : 0;
     }
@@ -164,17 +164,17 @@ TEST(AlikeWaves, TrueCurvesAreSeldomRejected) {
 }
 
 /// A level at which nothing was decided is a stripe of groups too once its trials are taken as fallen or standing.
-TEST(AlikeWaves, UndecidedStripesAreGroupsToo) {
-    std::vector<Stripe> const stripes{{.amplitude = 2, .trials = 100, .overturned = 10, .alike = 10},
-                                      {.amplitude = 4, .trials = 100, .undecided = 100, .alike = 10}};
+TEST(SharedDraws, UndecidedStripesAreGroupsToo) {
+    std::vector<Stripe> const stripes{{.amplitude = 2, .trials = 100, .overturned = 10, .group_size = 10},
+                                      {.amplitude = 4, .trials = 100, .undecided = 100, .group_size = 10}};
     for (auto const& point : with_undecided(FragilityData::of_stripes(stripes), true)) {
-        EXPECT_EQ(point.alike, 10) << std::exp(point.log_intensity);
+        EXPECT_EQ(point.group_size, 10) << std::exp(point.log_intensity);
     }
 }
 
-TEST(AlikeWaves, ABoundCountsGroupsAsOne) {
+TEST(SharedDraws, ABoundCountsGroupsAsOne) {
     auto const fit =
-        fit_of({{.amplitude = 2, .trials = 200, .alike = 10}, {.amplitude = 4, .trials = 200, .alike = 10}});
+        fit_of({{.amplitude = 2, .trials = 200, .group_size = 10}, {.amplitude = 4, .trials = 200, .group_size = 10}});
     EXPECT_EQ(fit.bound->probability.upper, clopper_pearson(0, 20, 0.95).upper);
 }
 

@@ -27,7 +27,7 @@ void each_unit(std::string_view line, Dimension dimension, std::function<void(do
 /// "npts: 2500", "NUMBER OF DATA : 3000", "3000 samples"
 [[nodiscard]] std::optional<std::size_t> count_in(std::string line);
 
-struct ClaimedPeak {
+struct PeakInText {
     double value = 0;                 ///< without its sign
     std::optional<double> unit = {};  ///< SI value of the one behind it
     double digit = 0;                 ///< of the value's last one
@@ -37,7 +37,7 @@ struct ClaimedPeak {
 };
 /// "PGA (gal): 13.2", "peak value: 53.138", "PGA = 300 gal", "peak acceleration of 0.3 g", "max. 0.3 g": in the unit
 /// behind it, else in that of the line, or of the numbers.
-[[nodiscard]] std::optional<ClaimedPeak> peak_in(std::string_view line, Dimension dimension);
+[[nodiscard]] std::optional<PeakInText> peak_in(std::string_view line, Dimension dimension);
 
 /// Does it speak of a peak and state a figure, whether that is understood or not?
 [[nodiscard]] bool tells_peak(std::string_view line);

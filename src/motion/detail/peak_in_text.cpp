@@ -6,7 +6,7 @@
 #include "core/digit.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/component_name.hpp"
-#include "motion/detail/claim_words.hpp"
+#include "motion/detail/statement_words.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn {
@@ -159,7 +159,7 @@ bool is_of_another(Text unit) {
 
 }  // namespace
 
-std::optional<ClaimedPeak> peak_in(std::string_view line, Dimension dimension) {
+std::optional<PeakInText> peak_in(std::string_view line, Dimension dimension) {
     for (auto const& key : keys_of_peaks) {
         if (!holds_word(line, key.text)) {
             continue;
@@ -172,7 +172,7 @@ std::optional<ClaimedPeak> peak_in(std::string_view line, Dimension dimension) {
         auto const unit = unit_spelled(text, dimension);
         if (value && (unit || (!key.with_unit && !is_of_another(text)))) {
             auto const number = printed.substr(0, printed.size() - behind.size());
-            return ClaimedPeak{
+            return PeakInText{
                 *value, unit, digit_of(number), values_beside(behind), is_rough(line), is_of_others(line)};
         }
     }

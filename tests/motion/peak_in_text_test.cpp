@@ -1,4 +1,4 @@
-// Requirement R-107: counts and peaks that the text of a record claims are held against its numbers.
+// Requirement R-107: counts and peaks that the text of a record states are held against its numbers.
 #include <string>
 
 #include "core/units.hpp"
@@ -12,8 +12,8 @@ using testing::expect_input_error;
 
 constexpr double gal = 0.01;
 
-// counts and peaks that the text claims are held against the numbers.
-TEST(Claims, CountsAndPeaksAreChecked) {
+// counts and peaks that the text states are held against the numbers.
+TEST(TextStatements, CountsAndPeaksAreChecked) {
     auto const text = [](std::string const& line) {
         return line + "\nacceleration in gal, dt = 0.01 s\n1\n-2\n300\n4\n";
     };
@@ -41,7 +41,7 @@ TEST(Claims, CountsAndPeaksAreChecked) {
         EXPECT_NO_THROW((void)testing::read_record(text(line), {.name = "a"})) << line;
     }
     for (char const* line : {"npts: 5", "NUMBER OF DATA : 3", "40 samples, 100 sps"}) {
-        expect_input_error([&] { (void)testing::read_record(text(line), {.name = "a"}); }, "a:1: ", "samples claimed");
+        expect_input_error([&] { (void)testing::read_record(text(line), {.name = "a"}); }, "a:1: ", "samples stated");
     }
     for (char const* line : {"PGA (gal): 3.0", "PGA (m/s2): 300", "peak acceleration: 0.30591"}) {
         expect_input_error([&] { (void)testing::read_record(text(line), {.name = "a"}); }, "a:1: ", "a wrong unit");

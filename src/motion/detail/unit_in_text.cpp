@@ -1,4 +1,4 @@
-#include "motion/detail/claimed_unit.hpp"
+#include "motion/detail/unit_in_text.hpp"
 
 #include <algorithm>
 #include <array>
@@ -54,12 +54,12 @@ Text behind_key(Text line) {
     }
     auto rest = line.substr(at + key.size());
     rest = rest.substr(rest.starts_with('s') ? 1 : 0);
-    bool const said = !rest.empty() && Text(" :=").find(rest.front()) != Text::npos;
+    bool const marked = !rest.empty() && Text(" :=").find(rest.front()) != Text::npos;
     rest = without_edges(rest);
     for (Text const word : {"are ", "is ", "of ", "in "}) {
         rest = rest.substr(rest.starts_with(word) ? word.size() : 0);
     }
-    return said ? without_edges(rest) : Text{};
+    return marked ? without_edges(rest) : Text{};
 }
 
 Text behind_in(Text line) {
@@ -109,15 +109,15 @@ bool looks_like_unit(std::string_view text) {
     return any && component_named(text).direction == Direction::unknown;
 }
 
-ClaimedUnit claimed_unit(std::string_view lower, Dimension dimension) {
-    ClaimedUnit claimed;
+UnitInText unit_in_text(std::string_view lower, Dimension dimension) {
+    UnitInText in_text;
     auto const take = [&](Text text, bool is_unit) {
         text = without_edges(text);
         auto const si = text.empty() ? std::nullopt : unit_spelled(text, dimension);
-        claimed.si = claimed.si ? claimed.si : si;
+        in_text.si = in_text.si ? in_text.si : si;
         if (!si && is_unit && looks_like_unit(text) && !unit_spelled(text, Dimension::time)
             && !unit_spelled(text, Dimension::frequency)) {
-            claimed.unknown = text;
+            in_text.unknown = text;
         }
     };
     bool const named = lower.find(stem_of(dimension)) != Text::npos;
@@ -145,7 +145,7 @@ ClaimedUnit claimed_unit(std::string_view lower, Dimension dimension) {
                  : Text{},
              true);
     }
-    return claimed;
+    return in_text;
 }
 
 }  // namespace overturn

@@ -1,4 +1,4 @@
-/// A claim on part of an output, so that no two runs write the same blocks at once.
+/// A lock on blocks of an output, so that no two runs write the same blocks at once.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +18,17 @@ struct BlockRange {
 /// that the kernel keeps: it ends with the process however that dies, so nothing stale is left. Over NFS the server
 /// keeps it for all nodes (version 4: until a lost node's lease is up, about 90 s); a file system without locks is
 /// warned of on stderr and goes unguarded.
-class Claim {
+class BlockLock {
   public:
     /// Makes the folder if it is not there.
-    /// \throws InputError if another process, or another claim of this one, holds any of the blocks
+    /// \throws InputError if another process, or another lock of this one, holds any of the blocks
     /// \throws SystemError if the folder or the file cannot be made
-    Claim(std::filesystem::path const& folder, BlockRange blocks);
-    ~Claim();
-    Claim(Claim const&) = delete;
-    Claim& operator=(Claim const&) = delete;
-    Claim(Claim&&) = delete;
-    Claim& operator=(Claim&&) = delete;
+    BlockLock(std::filesystem::path const& folder, BlockRange blocks);
+    ~BlockLock();
+    BlockLock(BlockLock const&) = delete;
+    BlockLock& operator=(BlockLock const&) = delete;
+    BlockLock(BlockLock&&) = delete;
+    BlockLock& operator=(BlockLock&&) = delete;
 
     /// Does anybody hold any block there? False also where it is not known.
     [[nodiscard]] static bool held(std::filesystem::path const& folder);

@@ -1,4 +1,4 @@
-#include "store/claim.hpp"
+#include "store/block_lock.hpp"
 
 #include <cerrno>
 #include <cstdio>
@@ -32,7 +32,7 @@ int open_lock(std::filesystem::path const& folder) {
         throw SystemError(
             fmt::format("cannot make {} ({}). Choose another place with -o", folder.string(), error.message()));
     }
-    auto const file = folder / Claim::file_name;
+    auto const file = folder / BlockLock::file_name;
     int const fd = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
     if (fd < 0 && errno != ENOENT) {
         throw SystemError(
@@ -45,13 +45,13 @@ int open_lock(std::filesystem::path const& folder) {
 bool is_still_there(int fd, std::filesystem::path const& folder) {
     struct stat ours {};
     struct stat there {};
-    return ::fstat(fd, &ours) == 0 && ::stat((folder / Claim::file_name).c_str(), &there) == 0
+    return ::fstat(fd, &ours) == 0 && ::stat((folder / BlockLock::file_name).c_str(), &there) == 0
            && ours.st_ino == there.st_ino && ours.st_dev == there.st_dev;
 }
 
 }  // namespace
 
-Claim::Claim(std::filesystem::path const& folder, BlockRange blocks) {
+BlockLock::BlockLock(std::filesystem::path const& folder, BlockRange blocks) {
     if (blocks.count() <= 0) {
         return;  // a length of 0 would mean everything
     }
@@ -80,21 +80,21 @@ Claim::Claim(std::filesystem::path const& folder, BlockRange blocks) {
     }
 }
 
-Claim::~Claim() {
+BlockLock::~BlockLock() {
     if (fd_ >= 0) {
         ::close(fd_);
     }
 }
 
-bool Claim::held(std::filesystem::path const& folder) {
+bool BlockLock::held(std::filesystem::path const& folder) {
     int const fd = ::open((folder / file_name).c_str(), O_RDONLY | O_CLOEXEC);
     if (fd < 0) {
         return false;
     }
     auto lock = lock_of({});
-    bool const told = ::fcntl(fd, F_OFD_GETLK, &lock) == 0;
+    bool const known = ::fcntl(fd, F_OFD_GETLK, &lock) == 0;
     ::close(fd);
-    return told && lock.l_type != F_UNLCK;
+    return known && lock.l_type != F_UNLCK;
 }
 
 }  // namespace overturn::store

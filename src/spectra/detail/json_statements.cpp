@@ -1,4 +1,4 @@
-#include "spectra/detail/json_claims.hpp"
+#include "spectra/detail/json_statements.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,12 +9,12 @@
 
 #include "core/digit.hpp"
 #include "core/units.hpp"
-#include "motion/claims.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/component_name.hpp"
 #include "motion/telling_words.hpp"
 #include "motion/text_lines.hpp"
+#include "motion/text_statements.hpp"
 #include "spectra/detail/target_names.hpp"
 
 namespace overturn {
@@ -79,9 +79,9 @@ bool is_of_damping(std::string const& word) {
 }
 
 /// Without quotes, on one line; of a list of one value that value.
-std::string said(Json const& value) {
+std::string text_of(Json const& value) {
     if (value.is_array() && value.size() == 1 && value[0].is_primitive()) {
-        return said(value[0]);
+        return text_of(value[0]);
     }
     auto text =
         value.is_string() ? value.get<std::string>() : value.dump(-1, ' ', false, Json::error_handler_t::replace);
@@ -117,19 +117,19 @@ Quantity quantity_of(TargetKind kind) {
 }
 
 /// "units": "g", "units": {"acceleration": "g"}, "periodUnits": "ms", "units": ["s", "g"].
-JsonClaim of_unit(Words const& words, std::string const& key, Json const& value, TargetKind kind) {
-    JsonClaim claim;
+JsonStatement of_unit(Words const& words, std::string const& key, Json const& value, TargetKind kind) {
+    JsonStatement statement;
     auto const quantity = quantity_beside_unit(words);
     auto const take = [&](Json const& one) {
-        auto const text = said(one);
+        auto const text = text_of(one);
         bool const time = unit_spelled(text, Dimension::time).has_value();
         bool const own = unit_spelled(text, dimension_of(kind)).has_value();
         if (time && (quantity == Quantity::time || (quantity == Quantity::unknown && value.is_array()))) {
-            claim.period_unit = text;
+            statement.period_unit = text;
         } else if (quantity == Quantity::unknown || quantity == quantity_of(kind)) {
-            claim.text += fmt::format("{}units: {}", claim.text.empty() ? "" : "; ", text);
+            statement.text += fmt::format("{}units: {}", statement.text.empty() ? "" : "; ", text);
         } else if (quantity == Quantity::time || (quantity == Quantity::other && own)) {
-            claim.text = fmt::format("{}: {}", key, text);
+            statement.text = fmt::format("{}: {}", key, text);
         }
     };
     if (value.is_array()) {
@@ -137,7 +137,7 @@ JsonClaim of_unit(Words const& words, std::string const& key, Json const& value,
     } else {
         take(value);
     }
-    return claim;
+    return statement;
 }
 
 std::string of_damping(Words const& words, std::string const& key, Json const& value) {
@@ -146,7 +146,7 @@ std::string of_damping(Words const& words, std::string const& key, Json const& v
     bool const known = std::ranges::all_of(words, [](auto const& word) {
         return is_of_damping(word) || is_one_of(word, of_dampings) || is_one_of(word, fillings);
     });
-    auto const text = said(value);
+    auto const text = text_of(value);
     if (has_one_of(words, of_soils)
         || (unit && is_one_of(text, std::to_array<Text>({"", "-", "1", "fraction", "ratio", "decimal"})))) {
         return {};
@@ -165,10 +165,10 @@ bool tells_anywhere(Text text) {
 
 /// Does a value say what the ordinates are, or which of several they are?
 bool tells(Text text, TargetKind kind) {
-    Claims claims(dimension_of(kind));
-    claims.take(text, 1);
+    TextStatements statements(dimension_of(kind));
+    statements.take(text, 1);
     auto const lower = lowered(text);
-    return !claims.other().empty() || !claims.telling().empty() || claims.unit() || tells_of_spectrum(lower)
+    return !statements.other().empty() || !statements.telling().empty() || statements.unit() || tells_of_spectrum(lower)
            || tells_factor(lower) || lower.find("damp") != std::string::npos
            || kind_named(lower).value_or(kind) != kind;
 }
@@ -196,14 +196,14 @@ bool tells_of_spectrum(std::string_view words) {
            || std::ranges::any_of(parts, [&](Text part) { return words.find(part) != Text::npos; });
 }
 
-JsonClaim json_claim(std::span<std::string const> keys, nlohmann::ordered_json const& value, TargetKind kind) {
+JsonStatement json_statement(std::span<std::string const> keys, nlohmann::ordered_json const& value, TargetKind kind) {
     Words all;
     for (auto const& key : keys) {
         std::ranges::move(split(words_of_key(key)), std::back_inserter(all));
     }
     auto const& key = keys.back();
     auto const own = split(words_of_key(key));
-    auto const text = fmt::format("{}: {}", key, said(value));
+    auto const text = fmt::format("{}: {}", key, text_of(value));
     if (value.is_boolean()) {
         bool const change =
             has_one_of(own, scales) || tells_factor(words_of_key(key)) || tells_of_spectrum(words_of_key(key));
@@ -216,25 +216,25 @@ JsonClaim json_claim(std::span<std::string const> keys, nlohmann::ordered_json c
         return {of_damping(all, key, value), {}};
     }
     if (has_one_of(all, of_units)) {
-        return value.is_number() ? JsonClaim{text, {}} : of_unit(all, key, value, kind);
+        return value.is_number() ? JsonStatement{text, {}} : of_unit(all, key, value, kind);
     }
     if (are_all(own, of_components)) {
-        auto const component = said(value);
+        auto const component = text_of(value);
         bool const horizontal = direction_of(component) == Direction::horizontal;
         return {horizontal ? std::string() : fmt::format("{}: {}", words_of_key(key), component), {}};
     }
     if (are_all(own, of_factors) || are_all(own, of_statistics)) {
         bool const plain = (value.is_number() && value.get<double>() == 1 && !has_one_of(own, of_statistics))
-                           || said(value) == "linear" || said(value) == "mean";
+                           || text_of(value) == "linear" || text_of(value) == "mean";
         return {plain ? std::string() : text, {}};
     }
     bool const of_quantity = are_all(own, of_quantities);
     bool const listed = value.is_array() && !value.empty() && std::ranges::all_of(value, &Json::is_string);
     auto const one = [&](Json const& each) {
-        return of_quantity ? tells(said(each), kind) : tells_anywhere(said(each));
+        return of_quantity ? tells(text_of(each), kind) : tells_anywhere(text_of(each));
     };
-    bool const told = listed ? std::ranges::any_of(value, one) : value.is_string() && one(value);
-    return {told && !has_one_of(own, of_papers) ? text : std::string(), {}};
+    bool const telling = listed ? std::ranges::any_of(value, one) : value.is_string() && one(value);
+    return {telling && !has_one_of(own, of_papers) ? text : std::string(), {}};
 }
 
 }  // namespace overturn

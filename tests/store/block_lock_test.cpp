@@ -1,5 +1,5 @@
 // Requirement R-1105: no two runs write the same blocks at once, and a run that died holds nothing.
-#include "store/claim.hpp"
+#include "store/block_lock.hpp"
 
 #include <limits>
 #include <optional>
@@ -22,56 +22,57 @@ using testing::TemporaryFolder;
 
 constexpr BlockRange everything{0, std::numeric_limits<std::int64_t>::max()};
 
-class Claims : public ::testing::Test {
+class BlockLocks : public ::testing::Test {
   protected:
     void expect_refused(BlockRange range) const {
-        expect_input_error([&] { Claim const second(place, range); }, place.string(), "another run is writing there");
+        expect_input_error([&] { BlockLock const second(place, range); }, place.string(),
+                           "another run is writing there");
     }
 
     TemporaryFolder folder;
     std::filesystem::path place = folder / "out.h5.parts";
 };
 
-TEST_F(Claims, TheSecondIsRefusedUntilTheFirstEnds) {
-    EXPECT_FALSE(Claim::held(place));
+TEST_F(BlockLocks, TheSecondIsRefusedUntilTheFirstEnds) {
+    EXPECT_FALSE(BlockLock::held(place));
     {
-        Claim const first(place, everything);
-        EXPECT_TRUE(Claim::held(place));
+        BlockLock const first(place, everything);
+        EXPECT_TRUE(BlockLock::held(place));
         expect_refused(everything);
         expect_refused({3, 4});
     }
-    EXPECT_FALSE(Claim::held(place));
-    Claim const again(place, everything);
+    EXPECT_FALSE(BlockLock::held(place));
+    BlockLock const again(place, everything);
 }
 
-TEST_F(Claims, PartsThatShareNoBlockLiveSideBySide) {
-    Claim const first(place, {0, 10});
-    Claim const second(place, {10, 20});
-    Claim const nothing(place, {5, 5});
+TEST_F(BlockLocks, PartsThatShareNoBlockLiveSideBySide) {
+    BlockLock const first(place, {0, 10});
+    BlockLock const second(place, {10, 20});
+    BlockLock const nothing(place, {5, 5});
 
     expect_refused({9, 11});
     expect_refused(everything);
-    EXPECT_TRUE(Claim::held(place));
+    EXPECT_TRUE(BlockLock::held(place));
 }
 
 /// The folder may go while the lock is held: whoever comes next holds a lock that counts.
-TEST_F(Claims, ARemovedFolderIsMadeAgain) {
-    std::optional<Claim> first(std::in_place, place, everything);
+TEST_F(BlockLocks, ARemovedFolderIsMadeAgain) {
+    std::optional<BlockLock> first(std::in_place, place, everything);
     std::filesystem::remove_all(place);
-    Claim const second(place, everything);
+    BlockLock const second(place, everything);
     first.reset();
 
     expect_refused(everything);
 }
 
 // R-1101: SIGKILL leaves no stale lock.
-TEST_F(Claims, EndWithTheProcess) {
+TEST_F(BlockLocks, EndWithTheProcess) {
     int ready[2];
     ASSERT_EQ(::pipe(ready), 0);
     auto const child = ::fork();
     ASSERT_GE(child, 0);
     if (child == 0) {
-        Claim const theirs(place, everything);
+        BlockLock const theirs(place, everything);
         (void)!::write(ready[1], "x", 1);
         ::pause();
         ::_exit(0);
@@ -82,16 +83,16 @@ TEST_F(Claims, EndWithTheProcess) {
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
 
-    Claim const ours(place, everything);
+    BlockLock const ours(place, everything);
     ::close(ready[0]);
     ::close(ready[1]);
 }
 
-TEST_F(Claims, PlaceThatIsAFileIsNamed) {
+TEST_F(BlockLocks, PlaceThatIsAFileIsNamed) {
     spill(folder / "taken", "");
 
-    expect_system_error([&] { Claim const claim(folder / "taken" / "out.h5.parts", everything); }, "taken/out.h5.parts",
-                        "Choose another place");
+    expect_system_error([&] { BlockLock const lock(folder / "taken" / "out.h5.parts", everything); },
+                        "taken/out.h5.parts", "Choose another place");
 }
 
 }  // namespace
