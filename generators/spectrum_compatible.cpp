@@ -35,7 +35,7 @@ constexpr config::KeyTable matched_target_table{
     .meaning = "the response spectrum that waves follow", .keys = matched_target_keys.all, .also = {&target_table}};
 constexpr config::Keys matched_component_keys{
     config::number_key("ratio", ratio_key.dimension, ratio_key.range, "ratio of this target to the horizontal target")
-        .only("there is no target of its own"),
+        .only("target is not stated"),
     config::table_key<target_table>("target", "separate target of this component").optional(), correlation_key};
 constexpr config::KeyTable matched_component_table{.meaning = "further component that follows a target",
                                                    .keys = matched_component_keys.all};

@@ -55,7 +55,7 @@ std::vector<std::string> at_reported_periods(std::string_view what) {
     std::vector<std::string> descriptions;
     descriptions.reserve(epsilon_periods_s.size());
     for (double const period : epsilon_periods_s) {
-        descriptions.push_back(fmt::format("{} at {:g} s of the period that the target is stated in", what, period));
+        descriptions.push_back(fmt::format("{} at {:g} s (a period as the target states it)", what, period));
     }
     return descriptions;
 }
@@ -137,9 +137,10 @@ Fields fields_of_waves() {
     add_each<&W::epsilon>(fields, "epsilon", "1",
                           at_reported_periods("standard deviations of the drawn target above the median"));
     add_each<&W::epsilon_between>(fields, "epsilon_between", "1",
-                                  at_reported_periods("between-event standard deviations of its event's part of it"));
-    add_each<&W::epsilon_within>(fields, "epsilon_within", "1",
-                                 at_reported_periods("within-event standard deviations of its own part of it"));
+                                  at_reported_periods("part of the event, in between-event standard deviations,"));
+    add_each<&W::epsilon_within>(
+        fields, "epsilon_within", "1",
+        at_reported_periods("part of the target within its event, in within-event standard deviations,"));
     add_measures<&W::measured>(fields, &IntensityMeasure::has_wave_column, "");
     add_each<&W::sa_mps2>(fields, "sa", "m/s2", std::vector<std::string>(most_sa_periods, "pseudo-acceleration"));
     return fields;
