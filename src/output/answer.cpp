@@ -171,7 +171,7 @@ class SheetMaker {
     void add_capacity(BodyAnalysis const& body, std::size_t limit, Detail detail) {
         auto const& state = of_.spec.limits[limit];
         auto const named = [&](std::string const& what) {
-            return limit == 0 ? what : what + " " + said_name(state, of_.spec.limits);
+            return limit == 0 ? what : what + " " + full_name(state, of_.spec.limits);
         };
         auto const& curve = body.curves_of(limit).front();
         auto const yearly = frequency_text(body.body, state.name, curve);
