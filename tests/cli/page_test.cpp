@@ -228,6 +228,16 @@ TEST_F(InABrowser, ReportIsSound) {
     EXPECT_EQ(faults_of_report(), "");
 }
 
+// In space a history has its plan beside it, so that neither is small in print.
+TEST_F(InABrowser, ReportOfARoundBodyIsSound) {
+    folder.write("target.csv", target_csv);
+    run(campaign_on_points(3));
+    EXPECT_EQ(faults_of_report(), "");
+    auto const page = folder.read("c.html");
+    EXPECT_NE(page.find(": history of round, trial "), std::string::npos);
+    EXPECT_NE(page.find(": base in plan of round, trial "), std::string::npos);
+}
+
 TEST_F(InABrowser, ReportOfAGridIsSound) {
     run("title='grid'\nseed=1\n[waves]\nsource='harmonic'\namplitude=1\nfrequencies=[0.5, 1, 2]\ncycles=6\n"
         "[[bodies]]\nname='block'\nmass='1 t'\nbase_width=0.4\ncentre_height=1\ninertia='uniform-block'\n"

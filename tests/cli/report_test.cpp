@@ -59,6 +59,10 @@ TEST_F(Report, IsOnePageThatNeedsNoNetwork) {
     auto const differ = page.find("Waves differ by random phases only", fits);
     ASSERT_NE(fits, std::string::npos);
     EXPECT_LT(differ, page.find("<table ", fits)) << "of the next table";
+    // Texts begin at the left, numbers end at the right. The last sheet of a print is more than one short table.
+    EXPECT_NE(page.find("<th scope=col class=text>remark</th>"), std::string::npos);
+    EXPECT_NE(page.find("<th scope=col>amplitude</th>"), std::string::npos);
+    EXPECT_LT(page.find("<section id=\"provenance\">"), page.find("<section id=\"campaign\">"));
     // Addresses name the svg's language, nothing to be fetched.
     for (auto const* fetched : {"src=\"http", "href=\"http", "@import", "<script src", "url(http"}) {
         EXPECT_EQ(page.find(fetched), std::string::npos) << fetched;

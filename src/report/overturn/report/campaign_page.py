@@ -227,9 +227,13 @@ class Report:
         parts.append(paragraphs(self.data["cut_short"]))
         parts.append(self.telling())
         parts.append(paragraphs(filter(None, [self.data["histories_of"]]), " class=quiet"))
-        for shown in self.data["histories"]:
-            parts.append(self.figure(f"history-{shown['body']}-{shown['trial']}",
-                                     lambda path, shown=shown: history_figure.draw(shown, path), f"history of {shown['title']}"))
+        for shown in self.data["histories"]:  # the plan apart: together they would be small in print
+            name = f"history-{shown['body']}-{shown['trial']}"
+            parts.append(self.figure(name, lambda path, shown=shown: history_figure.draw(shown, path, with_plan=False),
+                                     f"history of {shown['title']}"))
+            if history_figure.has_plan(shown):
+                parts.append(self.figure(f"{name}-plan", lambda path, shown=shown: history_figure.draw_plan(shown, path),
+                                         f"base in plan of {shown['title']}"))
         parts.append(self.figure("axes", lambda path: trial_figures.axes_compared(self.results, path),
                                  "V_resp over V_WES by components"))
         self.section("trials", "Trials", *parts, paragraphs(self.data["cost"]))
@@ -246,7 +250,7 @@ class Report:
         self.part("Results", self.answers, lambda: limit_sections.add(self), lambda: frequency_sections.add(self), lambda: rare_sections.add(self),
                   self.criterion, lambda: outcome_sections.add(self), lambda: check_sections.add_sensitivity(self))
         self.part("Checks made", lambda: check_sections.add(self))
-        self.part("Appendices", self.trials, self.campaign, self.provenance)
+        self.part("Appendices", self.trials, self.provenance, self.campaign)
         title = escape(self.results.title)
         contents = "".join(f"<li><span>{escape(name)}</span> {' · '.join(links)}</li>" for name, _, links in self.parts)
         parts = "".join(f"<h2>{escape(name)}</h2>\n{''.join(sections)}" for name, sections, _ in self.parts)

@@ -159,7 +159,7 @@ def compared(results, fits, stripes, what, path):
 def responses(results, rows, limits, path):
     """Median, 84 % and 95 % of a response over the levels with their intervals, and the limits set to it."""
     style.use()
-    figure, axes = plt.subplots(figsize=(5.2, 2.6), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.2, 2.3), layout="constrained")
     amplitude, unit = results.in_units(numbers(rows, "amplitude"))
     for (key, label), colour in zip((("median", "median"), ("p84", "84 %"), ("p95", "95 %")), (BLUE, ORANGE, VERMILION)):
         value, lower, upper = (numbers(rows, key + end) for end in ("", "_lower", "_upper"))
@@ -174,7 +174,7 @@ def responses(results, rows, limits, path):
     axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
     axes.set_ylim(0, 1.25 if quantity == "peak_rotation_ratio" and np.nanmax(numbers(rows, "p95")) > 1.25
                   else None)
-    style.legend_inside(axes)
+    style.legend_below(figure, *axes.get_legend_handles_labels())
     style.save(figure, path)
 
 

@@ -94,13 +94,31 @@ def quantities(channels):
         yield style.shown("slip", channels["crush_m"]), f"crush\n[{style.unit('slip')}]", SKY
 
 
-def draw(data, path):
+def has_plan(data):
+    return "y_m" in data["channels"]
+
+
+def head(figure, data):
+    figure.suptitle(style.literal(textwrap.fill(data["title"], 92)), x=0.012, ha="left", fontsize=8.5, fontweight="bold")
+
+
+def draw_plan(data, path):
+    """The base in plan alone, for a page."""
+    style.use()
+    figure, axes = plt.subplots(figsize=(6.8, 3.3), layout="constrained")
+    channels = {key: np.asarray(values, dtype=float) for key, values in data["channels"].items()}
+    plan(axes, channels, style.shown("length", np.asarray(data["outline"])))
+    head(figure, data)
+    style.save(figure, path)
+
+
+def draw(data, path, with_plan=True):
     style.use()
     channels = {key: np.asarray(values, dtype=float) for key, values in data["channels"].items()}
     time = channels["time_s"]
     tilt = channels["tilt_rad"] if "tilt_rad" in channels else channels["rotation_rad"]
     further = list(quantities(channels))
-    spatial = "y_m" in channels
+    spatial = with_plan and has_plan(data)
     heights = [1, 1.35, 1.25] + [0.8] * len(further) + ([2.6] if spatial else [])
     figure = plt.figure(figsize=(6.8, 0.9 + 0.92 * sum(heights)), layout="constrained")
     grid = figure.add_gridspec(len(heights), 1, height_ratios=heights)
@@ -118,5 +136,5 @@ def draw(data, path):
     figure.align_ylabels(panels)
     if spatial:
         plan(figure.add_subplot(grid[count]), channels, style.shown("length", np.asarray(data["outline"])))
-    figure.suptitle(style.literal(textwrap.fill(data["title"], 105)), x=0.012, ha="left", fontsize=8.5, fontweight="bold")
+    head(figure, data)
     style.save(figure, path)

@@ -51,16 +51,22 @@ def interval(ends, digits=4):
     return f"{low_of(low, digits, 'open')} – {high_of(high, digits, 'open')}"
 
 
-def cell_of(value, across=1):
-    """What is short keeps to one line."""
+# Columns of text in tables of numbers.
+TEXTS = ("flags", "remark", "kind", "verdict", "limit state", "over", "measure", "at", "ln median per deviation of")
+
+
+def cell_of(value, across=1, title=""):
+    """What is short keeps to one line; texts begin at the left."""
     text = str(value)
-    return f"<td{' class=short' if len(text) <= MOST_SHORT else ''}{f' colspan={across}' if across > 1 else ''}>{escape(text)}</td>"
+    looks = " ".join(filter(None, ["short" if len(text) <= MOST_SHORT else "", "text" if title in TEXTS else ""]))
+    quoted = f'"{looks}"' if " " in looks else looks
+    return f"<td{f' class={quoted}' if looks else ''}{f' colspan={across}' if across > 1 else ''}>{escape(text)}</td>"
 
 
-def row_of(cells, width):
+def row_of(cells, head):
     """A row of a table. Where it has fewer cells than columns, its last one takes the rest."""
     last = len(cells) - 1
-    return "<tr>" + "".join(cell_of(cell, width - last if at == last else 1) for at, cell in enumerate(cells)) + "</tr>\n"
+    return "<tr>" + "".join(cell_of(cell, len(head) - last if at == last else 1, head[at]) for at, cell in enumerate(cells)) + "</tr>\n"
 
 
 def note_of(text):
@@ -74,8 +80,8 @@ def scrolled(name, content):
 
 def table(name, head, rows, note="", kind=""):
     """Numbered by the page. kind: "words" of cells that are text, "sortable" of rows whose order may be changed."""
-    cells = "".join(f"<th scope=col>{escape(title)}</th>" for title in head)
-    body = "".join(row_of(list(row), len(head)) for row in rows)
+    cells = "".join(f"<th scope=col{' class=text' if title in TEXTS else ''}>{escape(title)}</th>" for title in head)
+    body = "".join(row_of(list(row), head) for row in rows)
     return (scrolled(name, f'<table class="{kind}"><caption>{NUMBER_OF_TABLE}{escape(name)}</caption><thead><tr>{cells}</tr></thead>'
                            f"<tbody>\n{body}</tbody></table>") + note_of(note) + "\n")
 

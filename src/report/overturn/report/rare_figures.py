@@ -52,7 +52,7 @@ def tail(name, limit, stripes, rare, fit, path):
     axes.set_yscale("log")
     axes.set(ylim=(bottom, 1.5), xlabel="factor on all waves", ylabel=f"probability of {style.literal(limit)}",
              title=f"{style.literal(name)}: the tail")
-    style.legend_inside(axes)
+    style.legend_below(axes.figure, *axes.get_legend_handles_labels(), columns=2)
     style.save(figure, path)
 
 

@@ -75,11 +75,6 @@ def name(figure, text):
     figure.suptitle(literal(textwrap.shorten(text, 70)), x=0.012, ha="left", fontsize=9.5, fontweight="bold")
 
 
-def legend_inside(axes):
-    """A legend where it hides least."""
-    axes.legend(loc="best", frameon=True, framealpha=0.85, edgecolor="none")
-
-
 def note_below(axes, head, parts):
     """A caveat under the axes' name, in the user's own names; nothing where there are no parts."""
     if parts:

@@ -55,7 +55,7 @@ def of_levels(body, drawn):
 def rotations(results, body, path, confidence=0.95):
     """Distribution of the peak rotation per level with the Dvoretzky-Kiefer-Wolfowitz band of the middle one."""
     style.use()
-    figure, axes = plt.subplots(figsize=(5.4, 3.1), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.4, 2.3), layout="constrained")
     ratio = np.where(body.ended("fell"), np.inf, body.trials("peak_rotation_ratio"))
     ratio = np.where(body.ended("decided"), ratio, np.nan)
     shown = np.where(np.isinf(ratio), 1.2, np.minimum(ratio, 1.2))  # what overturns leaves the picture on the right
@@ -66,11 +66,11 @@ def rotations(results, body, path, confidence=0.95):
         reach = np.sqrt(np.log(2 / (1 - confidence)) / (2 * count))
         amplitude, unit = results.in_units(body.stripes["amplitude"][number])
         axes.fill_between(x, np.clip(share - reach, 0, 1), np.clip(share + reach, 0, 1), step="post", color=GREY, alpha=0.25,
-                          lw=0, label=f"{100 * confidence:g} % band (DKW)\nof {float(amplitude):.4g} {unit}".strip())
+                          lw=0, label=f"{100 * confidence:g} % band (DKW) of {float(amplitude):.4g} {unit}".strip())
     axes.axvline(1, color=GREY, lw=0.8, ls="--", label="critical angle")
     axes.set(xlim=(0, 1.15), ylim=(0, 1.02), xlabel="peak rotation / α", ylabel="share of trials",
              title=f"peak rotation{of_levels(body, drawn)}")
-    style.legend_inside(axes)
+    style.legend_below(figure, *axes.get_legend_handles_labels(), columns=4)
     style.name(figure, body.name)
     style.save(figure, path)
 
@@ -81,14 +81,14 @@ def slips(results, body, path):
     if not np.any(slip > 0):
         return False
     style.use()
-    figure, axes = plt.subplots(figsize=(5.4, 3.1), layout="constrained")
+    figure, axes = plt.subplots(figsize=(5.4, 2.3), layout="constrained")
     least = max(np.min(slip[slip > 0]), min(style.shown("slip", LEAST_SLIP), 0.1 * np.nanmax(slip)))
     drawn = by_level(results, body, axes, np.where(np.isfinite(slip), np.maximum(slip, 0.5 * least), np.nan), chosen_levels(body))
     axes.set(ylim=(0, 1.02), xlabel=f"peak slip [{unit}]; at the left edge: below {style.plain(least, 1)} {unit}", ylabel="share of trials",
              title=f"peak slip{of_levels(body, drawn)}")
     axes.set_xscale("log")
     axes.set_xlim(left=least)
-    style.legend_inside(axes)
+    style.legend_below(figure, *axes.get_legend_handles_labels(), columns=4)
     style.name(figure, body.name)
     style.save(figure, path)
     return True
