@@ -172,9 +172,8 @@ void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan cons
     auto const count = [](std::size_t n, char const* one, char const* more) {
         return fmt::format("{} {}", n, n == 1 ? one : more);
     };
-    fmt::print("{} x {} x {} = {} trials\n", count(plan.waves(), "wave", "waves"),
-               count(spec.bodies.size(), "body", "bodies"), count(spec.levels.levels.size(), "level", "levels"),
-               plan.trials());
+    fmt::print("{} x {} x {} = {}\n", count(plan.waves(), "wave", "waves"), count(spec.bodies.size(), "body", "bodies"),
+               count(spec.levels.levels.size(), "level", "levels"), count(plan.trials(), "trial", "trials"));
     print_entry("waves", spec.source->text());
     for (auto const& remark : spec.source->about().remarks) {
         print_entry("remark", remark);

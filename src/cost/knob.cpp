@@ -49,7 +49,8 @@ Knob real_knob(std::string name, std::string title, std::string const& key, std:
 }
 
 Knob panel_knob(std::string name, std::string title, Acts acts, double own) {
-    Knob knob{std::move(name), std::move(title), "relative; flips are the criterion's", "wave", acts, {}, {}};
+    Knob knob{
+        std::move(name), std::move(title), "relative; changed: predictions of the criterion", "wave", acts, {}, {}};
     fill(knob, {40.0, 35.0, 30.0, 25.0, 20.0, 15.0, 10.0}, own, false,
          [](double value) { return one_key("accuracy.panel_phase", value, "rad"); });
     return knob;

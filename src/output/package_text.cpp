@@ -9,6 +9,7 @@
 
 #include "campaign/typed_units.hpp"
 #include "core/error.hpp"
+#include "core/outward.hpp"
 
 namespace overturn::output {
 namespace {
@@ -176,7 +177,8 @@ std::vector<std::string> hand_check_lines(CampaignSpec const& spec, std::span<Ha
             text += std::isinf(*check.sliding_m)
                         ? std::string("; vertical motion takes all of its friction at the design basis")
                     : *check.sliding_m > 0
-                        ? fmt::format("; slides {:.2g} {} at the design basis", *check.sliding_m / slip.si, slip.symbol)
+                        ? fmt::format("; slides {} at the design basis",
+                                      IntensityUnit{slip.symbol}.text(rounded_up(*check.sliding_m / slip.si, 2)))
                         : std::string("; does not slide at the design basis");
         }
         lines.push_back(text);

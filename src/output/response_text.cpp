@@ -92,8 +92,9 @@ std::string moved_text(OneResponse const& of, ShownVelocity const& unit) {
                 ? std::string("uplift           never\n")
                 : fmt::format("uplift           first {}, {} impacts, off the ground {}\n", time_text(r.first_uplift_s),
                               r.impacts, time_text(r.contact_lost_s));
-    text += fmt::format("V_resp           {}\n", unit.text(r.response_velocity_mps));
-    text += fmt::format("peak energy      {:.4f} of that of critical uplift\n", r.peak_energy_ratio);
+    text += fmt::format("V_resp           {} (V_Ereq, which overturns: {})\n", unit.text(r.response_velocity_mps),
+                        unit.text(of.spec.body.limit_velocity_mps()));
+    text += fmt::format("peak energy      {:.4f} of m g (R - h), the least that overturns\n", r.peak_energy_ratio);
     text += fmt::format("friction demand  {}, least contact force {:.4f} m g\n",
                         std::isnan(r.friction_demand) ? "unknown" : fmt::format("{:.4f}", r.friction_demand),
                         r.min_contact_force_ratio);

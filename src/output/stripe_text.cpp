@@ -121,11 +121,13 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
                         velocities.value_or(typed_units(spec).velocity).text(limit));
     text += columns_text({ends_of(spec, s), chances_of(spec, s)});
     text += left_out_levels(spec.levels);
-    text += "models:";
+    std::string models;
     for (std::size_t r = 0; r < s.models.size(); ++r) {
-        text += fmt::format("{} {} {}", r == 0 ? "" : ",", s.models[r], model_categories()[r].name);
+        models += s.models[r] == 0
+                      ? std::string()
+                      : fmt::format("{} {} {}", models.empty() ? "" : ",", s.models[r], model_categories()[r].name);
     }
-    text += '\n';
+    text += "trials by model:" + models + '\n';
     text += left_out(spec, body, s);
     if (auto const note = cut_short_text(s); !note.empty()) {
         text += fmt::format("note: {}\n", note);

@@ -260,8 +260,8 @@ template <> Fields const& fields_of<RigidQuantities>() {
     using Q = RigidQuantities;
     static Fields const fields{
         field<&Q::edge_x_most_m>("edge_x_most", "m",
-                                 "largest x of the base's edge, from the initial axis, or "
-                                 "would have, laid down where its other edge stood"),
+                                 "largest x of the base's edges, from the initial axis; a raised edge counts as laid "
+                                 "down"),
         field<&Q::edge_x_least_m>("edge_x_least", "m", "the same towards -x, negative"),
         field<&Q::residual_x_m>("residual_x", "m", "x of the base's centre at the end; NaN: it fell"),
         field<&Q::peak_top_m>(

@@ -66,7 +66,7 @@ std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
     if (fit.bound) {
         text += "; P there in " + interval_text(fit.bound->probability);
     }
-    return text;
+    return text + ". State more levels there";
 }
 
 void add_state(std::vector<std::string>& texts, FragilityFit const& fit, IntensityUnit const& unit, double confidence) {

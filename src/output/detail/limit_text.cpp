@@ -99,7 +99,7 @@ std::string quantiles_text(CampaignSpec const& spec, BodyAnalysis const& body, d
         if (at.quantity != quantity) {
             quantity = at.quantity;
             text += table.empty() ? std::string() : columns_text(table, 2);
-            text += fmt::format("  {}{} of the trials, with {:g} % intervals between order statistics\n", quantity,
+            text += fmt::format("  {}{} of the trials, with {:g} % intervals (free of any distribution)\n", quantity,
                                 unit.symbol == "1" ? "" : " " + unit.symbol, 100 * confidence);
             table = {{{fmt::format("{} {}", levels.name, levels.shown_in.symbol)}},
                      {{"median"}},
