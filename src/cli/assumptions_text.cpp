@@ -125,7 +125,7 @@ std::string assumptions_lines(CampaignSpec const& spec, bool full) {
         text += labelled("assumed", names_text(assumed, most_keys) + " (values and reasons: --full)");
     }
     if (full && !unstated.empty()) {
-        text += labelled("no source", fmt::format("{}: state basis = \"published\", \"measured\" or \"assumed\"",
+        text += labelled("no source", fmt::format(R"({}: state basis = "published", "measured" or "assumed")",
                                                   fmt::join(unstated, ", ")));
     }
     std::vector<std::string> unsafe;

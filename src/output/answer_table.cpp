@@ -77,7 +77,7 @@ Table answer_table(Answered const& of) {
             "", "1", "its exact interval",
             [&](Row const& row) { return too_few ? std::nullopt : std::optional(row.stripe->interval(of.confidence)); })
         .add("no_probability", "1", "why there is none: few recorded motions",
-             [&](Row const&) { return why_no_probability; })
+             [&](Row const&) { return std::optional<std::string>(why_no_probability); })
         .add("peak_slip_median", slip, "median of the peak slip; infinite: overturned", percentile("peak_slip", true))
         .add("peak_slip_p95", slip, "95th percentile of it", percentile("peak_slip", false))
         .add("peak_rotation_ratio_median", "1", "median of the peak tilt over alpha; infinite: overturned",
