@@ -98,12 +98,13 @@ std::string quote_line(MeasuredFragility const& m, QuotedProbability const& q) {
     auto const p = q.probability ? fmt::format("{:.3g}", *q.probability)
                    : q.curve     ? std::string("between")
                                  : std::string("no curve,");
-    auto const bounds = q.source == Source::none ? std::string("no bound")
-                                                 : fmt::format("{}{}", interval_text(q.bounds),
-                                                               q.source != Source::curve ? exact_text(q, m.fit.group_size)
-                                                               : has(m.fit.flags, FragilityFlag::poor_fit)
-                                                                   ? " by a curve that does not describe the data"
-                                                                   : std::string());
+    auto const bounds =
+        q.source == Source::none
+            ? std::string("no bound")
+            : fmt::format("{}{}", interval_text(q.bounds),
+                          q.source != Source::curve                   ? exact_text(q, m.fit.group_size)
+                          : has(m.fit.flags, FragilityFlag::poor_fit) ? " by a curve that does not describe the data"
+                                                                      : std::string());
     return fmt::format("  P at {}: {} {}{}\n", at, p, bounds, seen_text(m, q));
 }
 

@@ -11,7 +11,7 @@ DrawnWaves::DrawnWaves(std::vector<std::uint32_t> group_of_wave, std::size_t gro
     : group_of_wave_(std::move(group_of_wave)), counts_(groups), times_(groups * at_once) {}
 
 void DrawnWaves::draw(BootstrapKey const& key, Purpose purpose, std::int64_t first) {
-    for (std::size_t k = 0; k < at_once; ++k) {
+    for (std::size_t k = 0; k < at_once && waves() > 0; ++k) {
         DrawnNumbers stream(key.seed, static_cast<std::uint64_t>(first) + k, purpose, key.stream, waves());
         std::ranges::fill(counts_, 0U);
         for (std::size_t left = waves(); left > 0;) {
