@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -220,9 +221,13 @@ MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator
     };
     auto const sound = [&] { return sound_blocks(shards, whole, {0, whole.blocks()}); };
     // Merging checks every block that it reads: only where one is not sound are all of them read to name the others.
-    auto const by_name = shards.listed({0, whole.blocks()});
-    bool const all = std::ssize(by_name) == whole.blocks() && !AcceptedWaves(spec, whole).needs_rows();
-    if (comm.largest(all ? 0 : 1) != 0) {
+    std::vector<std::int64_t> by_name;
+    auto const all = broadcast_from_root(comm, [&] {
+        by_name = shards.listed({0, whole.blocks()});
+        bool const complete = std::ssize(by_name) == whole.blocks() && !AcceptedWaves(spec, whole).needs_rows();
+        return std::string(complete ? "all" : "");
+    });
+    if (all.empty()) {
         return merged(sound);
     }
     try {

@@ -81,7 +81,7 @@ TEST_F(Leaving, BeforeTheWalltimeIsUp) {
         auto const ended = execute(folder, mpirun(2, words));
 
         expect_reported(ended, "overturn run c.toml -o c.h5 --resume --part 1/2");
-        EXPECT_LT(seconds_since(begin), walltime_s + 6) << "one second that mpirun waits, more on a busy machine";
+        EXPECT_LT(seconds_since(begin), walltime_s + 20) << "one second that mpirun waits, more on a busy machine";
         if (blocks_done(folder, "c.h5") > 0) {
             return;
         }
