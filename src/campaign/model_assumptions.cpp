@@ -33,15 +33,17 @@ Bears always(CampaignSpec const& /*spec*/) { return Bears::yes; }
 Bears where_no_second_component(CampaignSpec const& spec) {
     auto const may_move = [&](BodySpec const& body) { return may_move_in_space(spec, body); };
     // Of a square base the second component must be strong enough to tip or slide it.
-    bool const all_move = std::ranges::all_of(spec.bodies, [&](BodySpec const& body) {
-        return may_move(body) && body.footing.base.shape != BaseShape::square;
-    });
+    bool const all_move = std::ranges::all_of(spec.bodies,
+                                              [&](BodySpec const& body) {
+                                                  return may_move(body) && body.footing.base.shape != BaseShape::square;
+                                              })
+                          && always_shakes_across(spec);
     return all_move ? Bears::no : std::ranges::any_of(spec.bodies, may_move) ? Bears::where_not_required : Bears::yes;
 }
 
 Bears where_no_vertical_component(CampaignSpec const& spec) {
     bool const shaken = std::ranges::any_of(spec.bodies, [](BodySpec const& body) { return body.axes > 2; });
-    return may_shake_vertically(spec) && shaken && allows(spec, Effect::vertical) ? Bears::no : Bears::yes;
+    return always_shakes_vertically(spec) && shaken && allows(spec, Effect::vertical) ? Bears::no : Bears::yes;
 }
 
 Bears where_rigid(CampaignSpec const& spec) { return allows_a_bed(spec) ? Bears::where_not_required : Bears::yes; }

@@ -157,9 +157,10 @@ std::vector<std::string> hand_check_lines(CampaignSpec const& spec, std::span<Ha
     if (checks.empty()) {
         return lines;
     }
-    lines.push_back(fmt::format(
-        "energy balance under the 84th-percentile spectrum of the first {} waves (two horizontal components: vector)",
-        checks.front().waves));
+    lines.push_back(
+        fmt::format("energy balance under the 84th-percentile spectrum of the first {} waves (of two horizontal "
+                    "components the vector)",
+                    checks.front().waves));
     if (!checks.front().left_out.empty()) {
         lines.push_back(fmt::format(
             "overturning leaves the waves' {} component out, which is unsafe; sliding counts it: mu (1 - 0.4 A_v/g)",

@@ -78,8 +78,16 @@ std::string frequency_line(Answered const& of, std::string const& body, std::str
     if (lacks_beta_u(fit)) {
         return fmt::format("more than {:.{}g} times a year (how much more needs beta_U)", low, headline_digits);
     }
-    return fmt::format("at most {:.{}g} times a year ({:g} %: {:.{}g} to {:.{}g})", high, headline_digits,
-                       100 * of.confidence, low, headline_digits, high, headline_digits);
+    if (!f->mean) {
+        return fmt::format("at most {:.{}g} times a year ({:g} %: {:.{}g} to {:.{}g})", high, headline_digits,
+                           100 * of.confidence, low, headline_digits, high, headline_digits);
+    }
+    auto const mean = rounded_up(f->mean->annual + f->mean->beyond_least, headline_digits);
+    auto const confident = f->fractiles ? fmt::format("; with beta_U at 95 % confidence {:.{}g}",
+                                                      rounded_up(f->fractiles->high, headline_digits), headline_digits)
+                                        : std::string();
+    return fmt::format("{:.{}g} times a year ({:g} %: {:.{}g} to {:.{}g} by sampling{})", mean, headline_digits,
+                       100 * of.confidence, low, headline_digits, high, headline_digits, confident);
 }
 
 // From which level on a limit state is passed, and at how many frequencies.

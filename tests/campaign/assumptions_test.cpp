@@ -3,9 +3,12 @@
 #include "campaign/assumptions.hpp"
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <string>
+#include <string_view>
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "campaign/block_rows.hpp"
@@ -95,6 +98,34 @@ Bears bears(char const* name, std::string const& text) {
     }
     ADD_FAILURE() << "no assumption " << name;
     return Bears::no;
+}
+
+// Of recorded motions the components that were read say it, and one motion without a component is enough.
+TEST(Assumptions, AreThoseOfTheComponentsThatRecordsHave) {
+    auto const rows = [](char const* peak) {
+        std::string text;
+        for (int i = 0; i < 200; ++i) {
+            text += fmt::format("{:.2f} {}\n", 0.01 * i, i == 50 ? peak : i % 2 == 0 ? "0.5" : "-0.5");
+        }
+        return text;
+    };
+    std::map<std::string, std::string> const files{
+        {"a", rows("3")}, {"b", rows("2")}, {"c", rows("1.5")}, {"d", rows("4")}};
+    auto const of_records = [&](char const* name, std::string const& records) {
+        auto const spec =
+            campaign_from("[waves]\nsource='records'\n" + records + type_b + "base={shape='round'}\n" + levels, files);
+        auto const found = std::ranges::find(model_assumptions(), std::string_view(name), &ModelAssumption::name);
+        return found->bears(spec);
+    };
+    std::string const one = "unit='m/s2'\nfiles=['a', 'd']\n";
+    std::string const all = "[[waves.records]]\nunit='m/s2'\nhorizontal='a'\ntransverse='b'\nvertical='c'\n";
+    std::string const mixed = all + "[[waves.records]]\nunit='m/s2'\nhorizontal='d'\n";
+    EXPECT_EQ(of_records("no-vertical-motion", one), Bears::yes);
+    EXPECT_EQ(of_records("no-vertical-motion", all), Bears::no);
+    EXPECT_EQ(of_records("no-vertical-motion", mixed), Bears::yes);
+    EXPECT_EQ(of_records("one-plane", one), Bears::yes);
+    EXPECT_EQ(of_records("one-plane", all), Bears::no);
+    EXPECT_EQ(of_records("one-plane", mixed), Bears::where_not_required);
 }
 
 TEST(Assumptions, BearOnTheCampaignsTheyAreMadeIn) {

@@ -1,6 +1,12 @@
 #include "campaign/detail/stated_waves.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "core/error.hpp"
+#include "generators/wave_source.hpp"
+#include "motion/ground_motion.hpp"
 
 namespace overturn {
 namespace {
@@ -11,6 +17,25 @@ bool has_records(CampaignSpec const& spec) {
     });
 }
 
+enum class Of : std::uint8_t { any, all };
+
+// Have recorded motions that component, and is it not zero? One that is withheld may have it.
+bool has_component(CampaignSpec const& spec, std::vector<double> GroundMotion::*component, Of of) {
+    auto const count = static_cast<std::uint64_t>(spec.source->about().available.value_or(0));
+    for (std::uint64_t record = 0; record < count; ++record) {
+        bool has = true;
+        try {
+            has = peak_of(spec.source->make(spec.seed, record).motion.*component) > 0;
+        } catch (InputError const&) {
+            has = true;
+        }
+        if (has == (of == Of::any)) {
+            return has;
+        }
+    }
+    return of == Of::all;
+}
+
 }  // namespace
 
 bool states(CampaignSpec const& spec, std::string_view begin) {
@@ -19,8 +44,24 @@ bool states(CampaignSpec const& spec, std::string_view begin) {
     });
 }
 
-bool may_shake_across(CampaignSpec const& spec) { return states(spec, "waves.transverse") || has_records(spec); }
+bool may_shake_across(CampaignSpec const& spec) {
+    return has_records(spec) ? has_component(spec, &GroundMotion::transverse_mps2, Of::any)
+                             : states(spec, "waves.transverse");
+}
 
-bool may_shake_vertically(CampaignSpec const& spec) { return states(spec, "waves.vertical") || has_records(spec); }
+bool may_shake_vertically(CampaignSpec const& spec) {
+    return has_records(spec) ? has_component(spec, &GroundMotion::vertical_mps2, Of::any)
+                             : states(spec, "waves.vertical");
+}
+
+bool always_shakes_across(CampaignSpec const& spec) {
+    return has_records(spec) ? has_component(spec, &GroundMotion::transverse_mps2, Of::all)
+                             : states(spec, "waves.transverse");
+}
+
+bool always_shakes_vertically(CampaignSpec const& spec) {
+    return has_records(spec) ? has_component(spec, &GroundMotion::vertical_mps2, Of::all)
+                             : states(spec, "waves.vertical");
+}
 
 }  // namespace overturn

@@ -10,8 +10,11 @@ namespace overturn {
 /// Is a key that begins so stated, and not by default?
 [[nodiscard]] bool states(CampaignSpec const& spec, std::string_view begin);
 
-/// May waves have a second horizontal component, or a vertical one? Records are not read for it: they may.
+/// Has any wave a second horizontal component, or a vertical one? Of recorded motions those that were read say so.
 [[nodiscard]] bool may_shake_across(CampaignSpec const& spec);
 [[nodiscard]] bool may_shake_vertically(CampaignSpec const& spec);
+/// Have all waves one?
+[[nodiscard]] bool always_shakes_across(CampaignSpec const& spec);
+[[nodiscard]] bool always_shakes_vertically(CampaignSpec const& spec);
 
 }  // namespace overturn
