@@ -82,20 +82,20 @@ void PlacedRows::write(std::size_t table, std::int64_t first, std::span<std::byt
     }
 }
 
-void PlacedRows::put(std::size_t number) {
+void PlacedRows::put(std::size_t table) {
     static_assert(std::endian::native == std::endian::little, "the first bytes of a number are its low ones");
-    auto const& table = places_.tables[number];
-    auto& waiting = waiting_[number];
-    auto const count = waiting.rows.size() / table.row_bytes;
-    OVERTURN_EXPECT(waiting.first >= 0 && waiting.first + static_cast<std::int64_t>(count) <= table.rows);
+    auto const& place = places_.tables[table];
+    auto& waiting = waiting_[table];
+    auto const count = waiting.rows.size() / place.row_bytes;
+    OVERTURN_EXPECT(waiting.first >= 0 && waiting.first + static_cast<std::int64_t>(count) <= place.rows);
     std::vector<std::byte> values;
-    for (auto const& column : table.columns) {
+    for (auto const& column : place.columns) {
         values.resize(count * column.bytes);
         for (std::size_t i = 0; i < count; ++i) {
             auto const row = waiting.first + static_cast<std::int64_t>(i);
             void const* const value = column.offset == ColumnPlace::of_number
                                           ? static_cast<void const*>(&row)
-                                          : waiting.rows.data() + i * table.row_bytes + column.offset;
+                                          : waiting.rows.data() + i * place.row_bytes + column.offset;
             std::memcpy(values.data() + i * column.bytes, value, column.bytes);
         }
         auto at = column.at + static_cast<std::uint64_t>(waiting.first) * column.bytes;

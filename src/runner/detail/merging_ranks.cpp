@@ -13,9 +13,9 @@ namespace overturn {
 namespace {
 
 // How an answer begins.
-constexpr char well = '+';
-constexpr char failed = '!';
-constexpr char interrupted = '?';
+constexpr char is_done = '+';
+constexpr char has_failed = '!';
+constexpr char was_interrupted = '?';
 constexpr std::size_t digits = 64;
 
 }  // namespace
@@ -110,10 +110,10 @@ std::vector<std::string> MergingRanks::all_do(Task task, std::string const& text
     auto answers = comm_.gather(answer(task, text));
     bool is_time_to_go = false;
     for (auto& each : answers) {
-        if (each.front() == failed) {
+        if (each.front() == has_failed) {
             throw SystemError(each.substr(1));
         }
-        is_time_to_go = is_time_to_go || each.front() == interrupted;
+        is_time_to_go = is_time_to_go || each.front() == was_interrupted;
         each.erase(0, 1);
     }
     if (is_time_to_go) {
@@ -127,15 +127,15 @@ std::string MergingRanks::answer(Task task, std::string const& text) const {
         if (task == Task::remove) {
             auto const [first, last] = share_of(drawn_.blocks());
             shards_.remove_blocks({first, last});
-            return {well};
+            return {is_done};
         }
-        return well + (task == Task::rows ? rows(text) : hashes(text));
+        return is_done + (task == Task::rows ? rows(text) : hashes(text));
     } catch (Interrupted const&) {
-        return {interrupted};
+        return {was_interrupted};
     } catch (InputError const& error) {
-        return failed + std::string(error.what());
+        return has_failed + std::string(error.what());
     } catch (SystemError const& error) {
-        return failed + std::string(error.what());
+        return has_failed + std::string(error.what());
     }
 }
 
