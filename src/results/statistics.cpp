@@ -19,6 +19,19 @@ void count(LimitStatistics& limit, std::size_t level, VerdictEntry const& end, b
     limit.fell_within += end.fell && decided && !passed ? 1 : 0;
 }
 
+// All waves with their measures of each body, then all trials with what models have to say of their own.
+template <class TakeWave, class TakeTrial>
+void each_row(BlockRows const& block, std::size_t bodies, TakeWave&& take_wave, TakeTrial&& take_trial) {
+    for (std::size_t w = 0; w < block.waves.size(); ++w) {
+        take_wave(block.waves[w], std::span(block.measures).subspan(w * bodies, bodies));
+    }
+    auto const& rows = block.trials.rows;
+    auto const extra = rows.empty() ? 0 : block.trials.extra.size() / rows.size();
+    for (std::size_t t = 0; t < rows.size(); ++t) {
+        take_trial(rows[t], std::span(block.trials.extra).subspan(t * extra, extra));
+    }
+}
+
 }  // namespace
 
 Statistics::Statistics(CampaignSpec const& spec, TrialsHeld held)
@@ -72,27 +85,15 @@ void Statistics::add_refused(WaveRow const& row) {
 }
 
 void Statistics::add(BlockRows const& block) {
-    auto const each = bodies_.size();
-    for (std::size_t w = 0; w < block.waves.size(); ++w) {
-        add(block.waves[w], std::span(block.measures).subspan(w * each, each));
-    }
-    auto const& rows = block.trials.rows;
-    auto const extra = rows.empty() ? 0 : block.trials.extra.size() / rows.size();
-    for (std::size_t t = 0; t < rows.size(); ++t) {
-        add(rows[t], std::span(block.trials.extra).subspan(t * extra, extra));
-    }
+    each_row(
+        block, bodies_.size(), [&](auto const& wave, auto measures) { add(wave, measures); },
+        [&](auto const& trial, auto extra) { add(trial, extra); });
 }
 
 bool Statistics::keep(BlockRows const& block) {
-    auto const each = bodies_.size();
-    for (std::size_t w = 0; w < block.waves.size(); ++w) {
-        measured_.add(block.waves[w], std::span(block.measures).subspan(w * each, each));
-    }
-    auto const& rows = block.trials.rows;
-    auto const own = rows.empty() ? 0 : block.trials.extra.size() / rows.size();
-    for (std::size_t t = 0; t < rows.size(); ++t) {
-        measured_.add(rows[t], judge_.judge(rows[t], std::span(block.trials.extra).subspan(t * own, own)));
-    }
+    each_row(
+        block, bodies_.size(), [&](auto const& wave, auto measures) { measured_.add(wave, measures); },
+        [&](auto const& trial, auto extra) { measured_.add(trial, judge_.judge(trial, extra)); });
     return measured_.passed_by() == 0;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
@@ -19,13 +20,23 @@ bool has_records(CampaignSpec const& spec) {
 
 enum class Of : std::uint8_t { any, all };
 
-// Have recorded motions that component, and is it not zero? One that is withheld may have it.
-bool has_component(CampaignSpec const& spec, std::vector<double> GroundMotion::*component, Of of) {
+struct Component {
+    std::string_view key;
+    std::vector<double> GroundMotion::*samples;
+};
+constexpr Component transverse{"waves.transverse", &GroundMotion::transverse_mps2};
+constexpr Component vertical{"waves.vertical", &GroundMotion::vertical_mps2};
+
+// Keys state it of generated waves. A recorded one that is withheld may have it.
+bool has_component(CampaignSpec const& spec, Component const& component, Of of) {
+    if (!has_records(spec)) {
+        return states(spec, component.key);
+    }
     auto const count = static_cast<std::uint64_t>(spec.source->about().available.value_or(0));
     for (std::uint64_t record = 0; record < count; ++record) {
         bool has = true;
         try {
-            has = peak_of(spec.source->make(spec.seed, record).motion.*component) > 0;
+            has = peak_of(spec.source->make(spec.seed, record).motion.*component.samples) > 0;
         } catch (InputError const&) {
             has = true;
         }
@@ -44,24 +55,9 @@ bool states(CampaignSpec const& spec, std::string_view begin) {
     });
 }
 
-bool may_shake_across(CampaignSpec const& spec) {
-    return has_records(spec) ? has_component(spec, &GroundMotion::transverse_mps2, Of::any)
-                             : states(spec, "waves.transverse");
-}
-
-bool may_shake_vertically(CampaignSpec const& spec) {
-    return has_records(spec) ? has_component(spec, &GroundMotion::vertical_mps2, Of::any)
-                             : states(spec, "waves.vertical");
-}
-
-bool always_shakes_across(CampaignSpec const& spec) {
-    return has_records(spec) ? has_component(spec, &GroundMotion::transverse_mps2, Of::all)
-                             : states(spec, "waves.transverse");
-}
-
-bool always_shakes_vertically(CampaignSpec const& spec) {
-    return has_records(spec) ? has_component(spec, &GroundMotion::vertical_mps2, Of::all)
-                             : states(spec, "waves.vertical");
-}
+bool may_shake_across(CampaignSpec const& spec) { return has_component(spec, transverse, Of::any); }
+bool may_shake_vertically(CampaignSpec const& spec) { return has_component(spec, vertical, Of::any); }
+bool always_shakes_across(CampaignSpec const& spec) { return has_component(spec, transverse, Of::all); }
+bool always_shakes_vertically(CampaignSpec const& spec) { return has_component(spec, vertical, Of::all); }
 
 }  // namespace overturn
