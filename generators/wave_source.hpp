@@ -65,6 +65,8 @@ struct StatedSigma {
 struct MeasuredWave {
     std::string name;  ///< its name in the campaign: its file
     Drift drift;       ///< residuals at its end
+    /// Has it such a component? Of one that is withheld nobody knows: it may.
+    bool transverse = false, vertical = false;
 };
 
 /// Facts of a source that are known before any wave is made.

@@ -15,6 +15,8 @@
 namespace overturn {
 namespace {
 
+using Samples = std::vector<double>;
+
 WaveDescription description_of(std::span<Record const> records) {
     auto const noun = [&](std::string_view one) { return fmt::format("{}{}", one, records.size() == 1 ? "" : "s"); };
     constexpr std::size_t most = 20;
@@ -25,7 +27,9 @@ WaveDescription description_of(std::span<Record const> records) {
         if (about.measured.size() < most) {
             about.text += fmt::format("{} {}", about.measured.empty() ? ":" : ";", record.label);
         }
-        about.measured.push_back({record.name, record.drift});
+        auto const has = [&](Samples const& component) { return !record.withheld.empty() || peak_of(component) > 0; };
+        about.measured.push_back(
+            {record.name, record.drift, has(record.motion.transverse_mps2), has(record.motion.vertical_mps2)});
     }
     about.text += records.size() > most ? fmt::format("; and {} more", records.size() - most) : "";
     return about;
@@ -49,8 +53,6 @@ class Records : public WaveSource {
   private:
     std::vector<Record> records_;
 };
-
-using Samples = std::vector<double>;
 
 std::ptrdiff_t strongest_of(Samples const& x) {
     return std::ranges::max_element(x, {}, [](double value) { return std::abs(value); }) - x.begin();

@@ -3,48 +3,27 @@
 #include <algorithm>
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
-#include "core/error.hpp"
 #include "generators/wave_source.hpp"
-#include "motion/ground_motion.hpp"
 
 namespace overturn {
 namespace {
-
-bool has_records(CampaignSpec const& spec) {
-    return std::ranges::any_of(spec.inputs, [](config::InputValue const& input) {
-        return input.key == "waves.source" && input.text == "records";
-    });
-}
 
 enum class Of : std::uint8_t { any, all };
 
 struct Component {
     std::string_view key;
-    std::vector<double> GroundMotion::*samples;
+    bool MeasuredWave::*of_measured;
 };
-constexpr Component transverse{"waves.transverse", &GroundMotion::transverse_mps2};
-constexpr Component vertical{"waves.vertical", &GroundMotion::vertical_mps2};
+constexpr Component transverse{"waves.transverse", &MeasuredWave::transverse};
+constexpr Component vertical{"waves.vertical", &MeasuredWave::vertical};
 
-// Keys state it of generated waves. A recorded one that is withheld may have it.
+// Keys state it of generated waves.
 bool has_component(CampaignSpec const& spec, Component const& component, Of of) {
-    if (!has_records(spec)) {
-        return states(spec, component.key);
-    }
-    auto const count = static_cast<std::uint64_t>(spec.source->about().available.value_or(0));
-    for (std::uint64_t record = 0; record < count; ++record) {
-        bool has = true;
-        try {
-            has = peak_of(spec.source->make(spec.seed, record).motion.*component.samples) > 0;
-        } catch (InputError const&) {
-            has = true;
-        }
-        if (has == (of == Of::any)) {
-            return has;
-        }
-    }
-    return of == Of::all;
+    auto const& measured = spec.source->about().measured;
+    return measured.empty() ? states(spec, component.key)
+           : of == Of::any  ? std::ranges::any_of(measured, component.of_measured)
+                            : std::ranges::all_of(measured, component.of_measured);
 }
 
 }  // namespace
