@@ -132,7 +132,7 @@ int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& 
     json["probe"] = probe_json(spec, cost);
     json["ranks"] = Json::array();
     for (auto const ranks : asked_ranks(options)) {
-        json["ranks"].push_back(ranks_json(estimate_ranks(plan, cost.counted_wave_s(), start_s, ranks)));
+        json["ranks"].push_back(ranks_json(estimate_ranks(spec, plan, cost.counted_wave_s(), start_s, ranks)));
     }
     fmt::print("{}\n", json.dump(2));
     return done;
@@ -243,7 +243,7 @@ int plan_campaign(PlanOptions const& options) {
                                     duration_text(start_s + all / cores), cores, duration_text(start_s + all),
                                     1e-6 * static_cast<double>(file_bytes(input, spec, plan.without_refusals()))));
     if (options.ranks) {
-        print_entry("ranks", ranks_text(estimate_ranks(plan.without_refusals(), cost.counted_wave_s(), start_s,
+        print_entry("ranks", ranks_text(estimate_ranks(spec, plan.without_refusals(), cost.counted_wave_s(), start_s,
                                                        *options.ranks)));
     }
     if (options.full) {

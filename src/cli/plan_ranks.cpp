@@ -5,12 +5,15 @@
 
 #include <fmt/format.h>
 
+#include "results/statistics.hpp"
 #include "runner/progress.hpp"
 
 namespace overturn::cli {
 namespace {
 
-constexpr double merged_trial_s = 2.3e-6;  // runner/detail/worker.hpp: 10^6 trials in 2 s to 2.5 s
+// tests/scale/README.md: rows read, counted, written and hashed; curves of the trials that are held for them.
+constexpr double merged_trial_s = 2.4e-6;
+constexpr double held_trial_s = 3.5e-6;
 
 std::string short_time(double seconds) {
     return seconds < 0.1 ? fmt::format("{:.2g} ms", 1e3 * seconds) : duration_text(seconds);
@@ -23,18 +26,22 @@ double RankEstimate::busy() const {
     return all > 0 ? std::min(1.0, static_cast<double>(blocks) * block_s / all) : 0;
 }
 
-RankEstimate estimate_ranks(Plan const& plan, double wave_s, double start_s, std::int64_t ranks) {
+RankEstimate estimate_ranks(CampaignSpec const& spec, Plan const& plan, double wave_s, double start_s,
+                            std::int64_t ranks) {
     RankEstimate estimate{.ranks = ranks, .blocks = plan.blocks(), .start_s = start_s};
     estimate.block_s = wave_s * static_cast<double>(plan.waves()) / static_cast<double>(plan.blocks());
     auto const rounds = (plan.blocks() + ranks - 1) / ranks;
     estimate.work_s = static_cast<double>(rounds) * estimate.block_s;
-    estimate.merge_s = merged_trial_s * static_cast<double>(plan.trials());
+    auto const trials = static_cast<double>(plan.trials());
+    bool const shared = Statistics::add_up(spec) && !spec.rare;
+    estimate.merge_s = merged_trial_s * trials / (shared ? static_cast<double>(ranks) : 1)
+                       + held_trial_s * std::min(trials, static_cast<double>(most_trials_held));
     return estimate;
 }
 
 std::string ranks_text(RankEstimate const& estimate) {
     return fmt::format(
-        "about {} on {} {}, which compute {:.0f} % of it{}; {} blocks of {}, merged by one rank in {}",
+        "about {} on {} {}, which compute {:.0f} % of it{}; {} blocks of {}, merged in {}",
         short_time(estimate.wall_s()), estimate.ranks, estimate.ranks == 1 ? "rank" : "ranks", 100 * estimate.busy(),
         estimate.blocks < estimate.ranks ? fmt::format(" ({} have no block)", estimate.ranks - estimate.blocks)
                                          : std::string(),

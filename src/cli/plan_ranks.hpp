@@ -16,7 +16,7 @@ struct RankEstimate {
     double block_s = 0;  ///< of one rank
     double start_s = 0;  ///< before the first block, on all ranks at once
     double work_s = 0;   ///< until the last block is done
-    double merge_s = 0;  ///< one rank, while the others wait
+    double merge_s = 0;  ///< all ranks, then one alone for curves and tables; it alone where counts do not add up
 
     [[nodiscard]] double wall_s() const { return start_s + work_s + merge_s; }
     /// Share of all ranks' time in which they compute.
@@ -24,9 +24,10 @@ struct RankEstimate {
 };
 
 /// \param wave_s of one rank, with all of the wave's trials
-[[nodiscard]] RankEstimate estimate_ranks(Plan const& plan, double wave_s, double start_s, std::int64_t ranks);
+[[nodiscard]] RankEstimate estimate_ranks(CampaignSpec const& spec, Plan const& plan, double wave_s, double start_s,
+                                          std::int64_t ranks);
 
-/// "about 45 s on 1000 ranks, which compute 91 % of it; 20000 blocks of 1.3 s, merged by one rank in 4 s"
+/// "about 45 s on 1000 ranks, which compute 91 % of it; 20000 blocks of 1.3 s, merged in 4 s"
 [[nodiscard]] std::string ranks_text(RankEstimate const& estimate);
 [[nodiscard]] Json ranks_json(RankEstimate const& estimate);
 
