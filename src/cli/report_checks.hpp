@@ -10,6 +10,7 @@
 #include "cli/json_values.hpp"
 #include "output/answer.hpp"
 #include "output/package_text.hpp"
+#include "results/analysis.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn::cli {
@@ -32,6 +33,6 @@ void add_checks(std::span<CheckRecord const> records, std::string const& path, s
 [[nodiscard]] std::optional<output::NumericalError> numerical_error_of(std::span<CheckRecord const> records);
 
 /// Adds the table `hand_check` to what the page has of `overturn fit --json`; empty where no wave can be made.
-void add_hand_checks(CampaignSpec const& spec, Json& data);
+void add_hand_checks(CampaignSpec const& spec, std::span<BodyAnalysis const> analysis, Json& data);
 
 }  // namespace overturn::cli

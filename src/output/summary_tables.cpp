@@ -131,6 +131,10 @@ Table hand_check_table(CampaignSpec const& spec, std::span<HandCheck const> chec
              [](Row const& row) { return text_or_none(row.left_out); })
         .add("overturning_level", level_unit(spec.levels), "level at which the demand reaches the capacity",
              [](Row const& row) { return row.overturning_level; })
+        .add("simulated_median", level_unit(spec.levels), "median of the simulated curve; NaN: there is no curve",
+             [](Row const& row) { return row.simulated_median; })
+        .add("unsafe", "1", "1: above the simulated median, not to be quoted",
+             [](Row const& row) { return row.is_unsafe(); })
         .add("rotation_ratio", "1", "rotation there over alpha",
              [=](Row const& row) { return row.rocking.rotation_rad / body_of(row).body.alpha_rad(); })
         .add("frequency", "Hz", "effective frequency there", [](Row const& row) { return row.rocking.frequency_hz; })

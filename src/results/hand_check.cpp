@@ -131,4 +131,13 @@ std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
     return checks;
 }
 
+void compare(std::span<HandCheck> checks, std::span<BodyAnalysis const> analysis) {
+    for (auto& check : checks) {
+        auto const body = std::ranges::find(analysis, check.body, &BodyAnalysis::body);
+        if (body != analysis.end() && body->over_levels().fit.identifiable()) {
+            check.simulated_median = std::exp(body->over_levels().fit.line->log_median());
+        }
+    }
+}
+
 }  // namespace overturn

@@ -3,11 +3,13 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "body/reserve_energy.hpp"
 #include "campaign/campaign_spec.hpp"
+#include "results/analysis.hpp"
 
 namespace overturn {
 
@@ -22,10 +24,17 @@ struct HandCheck {
     /// Sliding distance at the design basis [m], where the body has a friction and the campaign a design basis; 0: none
     std::optional<double> sliding_m;
     double sliding_frequency_hz = 0;
+    std::optional<double> simulated_median;  ///< of the curve over the levels, by `compare`; none without a curve
+
+    /// Does the body overturn at lower levels by simulation? The calculation by hand is then not to be quoted.
+    [[nodiscard]] bool is_unsafe() const { return simulated_median && overturning_level > *simulated_median; }
 };
 
 /// Checks of the bodies as stated, undrawn. Overturning neglects a vertical component, which is unsafe; the output says
 /// so. Empty where waves are a grid or none can be scaled.
 [[nodiscard]] std::vector<HandCheck> hand_checks(CampaignSpec const& spec);
+
+/// Gives every check the simulated median of its body.
+void compare(std::span<HandCheck> checks, std::span<BodyAnalysis const> analysis);
 
 }  // namespace overturn

@@ -80,12 +80,17 @@ TEST_F(Together, IsCheckedByHand) {
     for (auto const& check : hand) {
         EXPECT_GT(check["rotation_ratio"].get<double>(), 0);
         EXPECT_LE(check["rotation_ratio"].get<double>(), 1);
+        auto const& median = check["simulated_median"];
+        bool const above = !median.is_null() && check["overturning_level"] > median;
+        EXPECT_EQ(check["unsafe"].get<bool>(), above) << check;
     }
     auto const text = overturn(folder, {"fit", "c.h5", "--section", "hand"}).out;
     EXPECT_NE(text.find("hand calculation: energy balance under the 84th-percentile spectrum of the first"),
               std::string::npos)
         << text;
-    EXPECT_NE(text.find("  type-b: overturns above pga "), std::string::npos) << text;
+    auto const line = hand[1]["unsafe"].get<bool>() ? "  type-b: unsafe, do not quote (the simulated median is "
+                                                    : "  type-b: overturns above pga ";
+    EXPECT_NE(text.find(line), std::string::npos) << text;
 }
 
 TEST_F(Together, MeasuresThatAreNoneAreRefused) {

@@ -1,7 +1,6 @@
 """The checks that were made of a report's results, and what was not run; what assumed values decide, where it was studied."""
 
 from . import sensitivity_figure
-from .limit_sections import OVERTURNING
 from .page_parts import paragraphs, table, value_of
 
 
@@ -11,12 +10,9 @@ def by_hand(report):
     if not lines:
         return ""
     report.rows("hand_check", report.fit["hand_check"])
-    simulated = report.fits_of(OVERTURNING)
-    medians = [simulated.get((check["body"], report.results.measure), {"median": None})["median"] for check in report.fit["hand_check"]]
-    rows = [[check["body"], report.amplitude(check["overturning_level"], 3), report.amplitude(median, 3)]
-            for check, median in zip(report.fit["hand_check"], medians)]
-    unsafe = [check["body"] for check, median in zip(report.fit["hand_check"], medians)
-              if median is not None and check["overturning_level"] is not None and check["overturning_level"] > median]
+    rows = [[check["body"], report.amplitude(check["overturning_level"], 3), report.amplitude(check["simulated_median"], 3)]
+            for check in report.fit["hand_check"]]
+    unsafe = [check["body"] for check in report.fit["hand_check"] if check["unsafe"]]
     warning = [report.notes["hand_unsafe"].format(bodies=", ".join(unsafe))] if unsafe else []
     return ("<h4>Calculation by hand</h4>" + paragraphs(lines) + paragraphs(warning, " class=warning")
             + table("overturning by hand and simulated", ["body", "overturns above, by hand", "simulated median"], rows))

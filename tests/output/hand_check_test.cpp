@@ -1,0 +1,60 @@
+// Requirement: a level by hand above the simulated median errs to the unsafe side, and is marked so
+// wherever it is printed.
+#include "results/hand_check.hpp"
+
+#include <cmath>
+#include <span>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "output/package_text.hpp"
+#include "support/campaigns.hpp"
+
+namespace overturn {
+namespace {
+
+constexpr double by_hand_mps2 = 6;
+
+BodyAnalysis curve_with_median(double median) {
+    BodyAnalysis body;
+    body.body = "type-b";
+    body.fragility.emplace_back();
+    body.fragility.front().fit.line = ProbitLine{-std::log(median) / 0.3, 1 / 0.3};
+    return body;
+}
+
+HandCheck checked_by(BodyAnalysis const& body) {
+    std::vector<HandCheck> checks(1);
+    checks.front().body = "type-b";
+    checks.front().overturning_level = by_hand_mps2;
+    compare(checks, std::span(&body, 1));
+    return checks.front();
+}
+
+TEST(HandCheck, IsUnsafeAboveTheSimulatedMedian) {
+    EXPECT_TRUE(checked_by(curve_with_median(5)).is_unsafe());
+    EXPECT_NEAR(*checked_by(curve_with_median(5)).simulated_median, 5, 1e-12);
+    EXPECT_FALSE(checked_by(curve_with_median(7)).is_unsafe());
+    auto without = curve_with_median(5);
+    without.fragility.front().fit.line.reset();
+    EXPECT_FALSE(checked_by(without).is_unsafe()) << "nothing to compare with";
+    EXPECT_FALSE(checked_by(without).simulated_median.has_value());
+    auto other = curve_with_median(5);
+    other.body = "type-a";
+    EXPECT_FALSE(checked_by(other).is_unsafe()) << "another body's";
+}
+
+TEST(HandCheck, SaysSoBeforeItsNumber) {
+    auto const spec =
+        testing::campaign_from(testing::quick_waves + testing::type_b + testing::levels("values=['600 gal']\n"));
+    auto const line = [&](double median) {
+        auto const check = checked_by(curve_with_median(median));
+        return output::hand_check_lines(spec, std::span(&check, 1)).back();
+    };
+    EXPECT_TRUE(line(5).starts_with("type-b: unsafe, do not quote (the simulated median is ")) << line(5);
+    EXPECT_TRUE(line(7).starts_with("type-b: overturns above ")) << line(7);
+}
+
+}  // namespace
+}  // namespace overturn
