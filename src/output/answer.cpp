@@ -12,6 +12,7 @@
 #include "core/outward.hpp"
 #include "output/detail/answer_cells.hpp"
 #include "output/detail/answer_parts.hpp"
+#include "output/detail/fit_words.hpp"
 #include "output/waves_text.hpp"
 #include "response/registry.hpp"
 #include "results/few_waves.hpp"
@@ -158,7 +159,7 @@ class SheetMaker {
             return limit == 0 ? what : what + " " + full_name(state, of_.spec.limits);
         };
         auto const& curve = body.curves_of(limit).front();
-        auto const yearly = frequency_text(body.body, state.name, curve);
+        auto const yearly = frequency_text(body.body, state.name);
         bool const apart = detail == Detail::all;
         sheet_.rows.push_back(
             {"", named("HCLPF"),
@@ -169,10 +170,9 @@ class SheetMaker {
     }
 
     // "4.6e-05 to 8.5e-05 a year"; empty without a hazard curve.
-    [[nodiscard]] std::string frequency_text(std::string const& body, std::string const& limit,
-                                             MeasuredFragility const& curve) const {
+    [[nodiscard]] std::string frequency_text(std::string const& body, std::string const& limit) const {
         auto const* const f = frequency_at(of_, body, limit);
-        return f == nullptr ? std::string() : too_few_ ? needs_more() : frequency_words(*f, curve);
+        return f == nullptr ? std::string() : too_few_ ? needs_more() : frequency_words(*f);
     }
 
     // "0.245 g (lower end 0.2 g)"
@@ -280,9 +280,7 @@ std::vector<std::size_t> answer_levels(LevelSpec const& levels) {
 
 std::string no_probability_text(Answered const& of) {
     auto const waves = of.statistics.waves().waves;
-    return are_too_few_records(of.spec, waves) ? fmt::format("{} record{}: no probability, which needs {} or more",
-                                                             waves, waves == 1 ? "" : "s", least_records)
-                                               : std::string();
+    return are_too_few_records(of.spec, waves) ? few_records_text(waves) : std::string();
 }
 
 AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows, std::size_t parts) {

@@ -40,18 +40,22 @@ Table answer_table(Answered const& of) {
     auto const why_no_probability = text_or_none(no_probability_text(of));
     bool const too_few = why_no_probability.has_value();
     bool const few = are_few_records(of.spec, of.statistics.waves().waves);  // each is a row of `records`
-    auto const percentile = [few](char const* quantity, bool median) {
+    enum class Of { median, p95, p95_upper };
+    auto const percentile = [few](char const* quantity, Of which) {
         return [=](Row const& row) -> std::optional<double> {
             auto const* const at = quantiles_at(*row.body, quantity, row.level);
             if (few || at == nullptr || mostly_unknown(*at)) {
                 return std::nullopt;
             }
-            auto const value = (median ? at->quantiles.front() : at->quantiles.back()).value;
+            auto const& high = at->quantiles.back();
+            auto const value = which == Of::median ? at->quantiles.front().value
+                               : which == Of::p95  ? high.value
+                                                   : high.upper.value_or(at->fallen);
             return value >= at->fallen ? std::numeric_limits<double>::infinity() : value;
         };
     };
-    auto const rotation = [&](bool median) {
-        return [ratio = percentile("peak_rotation_ratio", median)](Row const& row) -> std::optional<double> {
+    auto const rotation = [&](Of which) {
+        return [ratio = percentile("peak_rotation_ratio", which)](Row const& row) -> std::optional<double> {
             auto const value = ratio(row);
             return value && row.alpha_rad ? std::optional(*value * *row.alpha_rad) : std::nullopt;
         };
@@ -67,7 +71,7 @@ Table answer_table(Answered const& of) {
             {name_of(LevelClass::ordinary), name_of(LevelClass::design_basis), name_of(LevelClass::beyond_design)},
             [&](Row const& row) { return name_of(of.spec.levels.levels[row.level].purpose); })
         .add("trials", "1", "trials there", [](Row const& row) { return row.stripe->trials; })
-        .add("passed", "1", "trials of these that exceeded the limit",
+        .add("exceeded", "1", "trials of these that overturned, or exceeded the limit",
              [](Row const& row) { return row.stripe->overturned; })
         .add("undecided", "1", "of them without a verdict",
              [](Row const& row) { return row.stripe->trials - row.stripe->decided(); })
@@ -78,25 +82,37 @@ Table answer_table(Answered const& of) {
             [&](Row const& row) { return too_few ? std::nullopt : std::optional(row.stripe->interval(of.confidence)); })
         .add("no_probability", "1", "why there is none: few recorded motions",
              [&](Row const&) { return std::optional<std::string>(why_no_probability); })
-        .add("peak_slip_median", slip, "median of the peak slip; infinite: overturned", percentile("peak_slip", true))
-        .add("peak_slip_p95", slip, "95th percentile of it", percentile("peak_slip", false))
+        .add("peak_slip_median", slip, "median of the peak slip; infinite: overturned",
+             percentile("peak_slip", Of::median))
+        .add("peak_slip_p95", slip, "95th percentile of it", percentile("peak_slip", Of::p95))
+        .add("peak_slip_p95_upper", slip, "upper end of it; infinite: no limit, or overturned",
+             percentile("peak_slip", Of::p95_upper))
         .add("peak_rotation_ratio_median", "1", "median of the peak tilt over alpha; infinite: overturned",
-             percentile("peak_rotation_ratio", true))
-        .add("peak_rotation_ratio_p95", "1", "95th percentile of it", percentile("peak_rotation_ratio", false))
-        .add("peak_rotation_median", tilt, "the same as an angle; NaN: alpha is drawn", rotation(true))
-        .add("peak_rotation_p95", tilt, "95th percentile of it", rotation(false))
+             percentile("peak_rotation_ratio", Of::median))
+        .add("peak_rotation_ratio_p95", "1", "95th percentile of it", percentile("peak_rotation_ratio", Of::p95))
+        .add("peak_rotation_ratio_p95_upper", "1", "upper end of it; infinite: no limit, or overturned",
+             percentile("peak_rotation_ratio", Of::p95_upper))
+        .add("peak_rotation_median", tilt, "the same as an angle; NaN: alpha is drawn", rotation(Of::median))
+        .add("peak_rotation_p95", tilt, "95th percentile of it", rotation(Of::p95))
+        .add("peak_rotation_p95_upper", tilt, "upper end of it; infinite: no limit, or overturned",
+             rotation(Of::p95_upper))
         .add("hclpf", level_unit(of.spec.levels), "HCLPF of the limit state; NaN: not known",
              [=](Row const& row) { return too_few ? std::nullopt : row.fit->hclpf(); })
+        .add("hclpf_lower", level_unit(of.spec.levels), "lower end of it",
+             [=](Row const& row) -> std::optional<double> {
+                 auto const ends = row.fit->identifiable() ? row.fit->intervals().hclpf : std::nullopt;
+                 return ends ? std::optional(ends->lower) : std::nullopt;
+             })
+        .add("beta_u", "1", "beta_U by which HCLPF is known",
+             [=](Row const& row) -> std::optional<double> {
+                 return row.fit->hclpf() ? std::optional(row.fit->beta_u) : std::nullopt;
+             })
         .add("annual_frequency", "1/a", "times a year, where a hazard curve is given",
              [=](Row const& row) -> std::optional<Interval> {
                  if (row.frequency == nullptr || too_few) {
                      return std::nullopt;
                  }
-                 auto ends = row.frequency->mean ? row.frequency->interval : row.frequency->seen;
-                 if (lacks_beta_u(*row.fit)) {
-                     ends.upper = std::numeric_limits<double>::infinity();
-                 }
-                 return ends;
+                 return row.frequency->mean ? row.frequency->interval : row.frequency->seen;
              });
     return table.take();
 }

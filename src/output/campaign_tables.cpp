@@ -7,6 +7,7 @@
 #include "output/detail/acceptance_tables.hpp"
 #include "output/stripe_tables.hpp"
 #include "output/summary_tables.hpp"
+#include "results/few_waves.hpp"
 
 namespace overturn::output {
 namespace {
@@ -37,9 +38,10 @@ std::vector<Table> campaign_tables(CampaignSpec const& spec, Statistics const& s
     std::vector<Table> all{limit_table(spec), sigma_table(statistics.achieved_sigma())};
     append(all, acceptance_tables(spec, statistics, confidence));
     auto const& counted = statistics.bodies();
+    bool const sample = !no_sample(spec, statistics.waves().waves);
     for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
         for (auto const& body : counted) {
-            all.push_back(stripe_table(spec, body, limit, confidence));
+            all.push_back(stripe_table(spec, body, limit, confidence, sample));
         }
         for (auto const& body : analysis) {
             append(all, curve_tables({body.body, spec.limits[limit].name, confidence}, body.curves_of(limit)));

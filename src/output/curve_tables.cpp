@@ -41,7 +41,7 @@ std::vector<std::string> unit_names(std::span<Curve const> fits) {
 
 std::vector<std::string> state_names(Passing passing) {
     std::vector<std::string> names;
-    for (std::int64_t s = 0; s <= static_cast<std::int64_t>(FragilityState::undecided); ++s) {
+    for (std::int64_t s = 0; s <= static_cast<std::int64_t>(FragilityState::few_waves); ++s) {
         names.push_back(name_of(static_cast<FragilityState>(s), passing));
     }
     return names;

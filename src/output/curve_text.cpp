@@ -108,7 +108,10 @@ std::string body_text(BodyAnalysis const& body, double confidence) {
                                           : std::string("waves");
     auto text = fmt::format(
         "\n{}: fragility curves from {} {}; confidence intervals by {}\n", body.body, levels.waves, of,
-        levels.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap over waves" : "profile likelihood");
+        levels.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap over waves"
+        : levels.method == FragilityFit::Method::wider_of_both    ? "bootstrap over waves or profile likelihood, the "
+                                                                    "wider"
+                                                                  : "profile likelihood");
     text += fmt::format("  variability of waves: {}\n", body.variability);
     text += body.sigma ? fmt::format("  {}\n", sigma_text(*body.sigma)) : "";
     text += fragility_table(body.fragility, confidence);

@@ -68,9 +68,8 @@ void add_mean(std::vector<std::string>& notes, BodyFrequency const& f, HazardCur
 
 void add_trust(std::vector<std::string>& notes, BodyFrequency const& f) {
     if (f.few_waves > 0) {
-        notes.push_back(
-            fmt::format("the interval comes from resampling {} independent waves, or groups of them, and is too short",
-                        f.few_waves));
+        notes.push_back(fmt::format(
+            "the interval comes from {} independent waves, or groups of them, and is widened for so few", f.few_waves));
     }
     if (f.poor) {
         notes.emplace_back(
@@ -115,7 +114,7 @@ std::string row_of(BodyFrequency const& f) {
     auto const ends = f.mean ? f.interval : f.seen;
     auto const seen = f.stated ? std::string("no trials") : interval_text(f.seen);
     text += fmt::format("{:<{}} {:>22} {:>11} {:>12} {:>22}\n", name, name_width,
-                        lacks_beta_u(f) ? fmt::format("> {:.3g}", rounded_down(ends.lower)) : interval_text(ends),
+                        f.lacks_beta_u() ? fmt::format("> {:.3g}", rounded_down(ends.lower)) : interval_text(ends),
                         f.mean ? fmt::format("{:.3g}", mean_of(f)) : "-",
                         f.mean ? fmt::format("{:.2g}", f.extrapolated()) : "no curve", seen);
     return text
@@ -132,18 +131,16 @@ std::string frequency_name(BodyFrequency const& f) {
                : fmt::format("{}, {}", f.body, f.full_name.empty() ? f.limit : f.full_name);
 }
 
-bool lacks_beta_u(BodyFrequency const& f) { return f.mean && !f.fractiles; }
-
 std::vector<std::string> frequency_notes(BodyFrequency const& f, HazardCurve const& hazard) {
     std::vector<std::string> notes;
-    if (lacks_beta_u(f)) {
+    if (f.lacks_beta_u()) {
         notes.emplace_back(
             "no upper end, because beta_U is not known (--beta-u, or the campaign's key statistics.beta_u): uncertain "
             "properties of "
             "the body make the limit state more frequent");
     }
     if (f.mean) {
-        if (!lacks_beta_u(f)) {
+        if (!f.lacks_beta_u()) {
             add_parts(notes, f, hazard);
         }
         add_mean(notes, f, hazard);

@@ -11,9 +11,6 @@ namespace overturn::output {
 /// "type-a", or with the limit state where it is not overturning: "type-a, slides".
 [[nodiscard]] std::string frequency_name(BodyFrequency const& f);
 
-/// Is there a curve whose beta_U is not known? Then the interval has no upper end: a wider curve is passed more often.
-[[nodiscard]] bool lacks_beta_u(BodyFrequency const& f);
-
 /// Notes on an annual frequency: its parts without trials or hazard, its limits, and how to learn more.
 [[nodiscard]] std::vector<std::string> frequency_notes(BodyFrequency const& f, HazardCurve const& hazard);
 

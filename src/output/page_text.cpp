@@ -66,8 +66,7 @@ std::string curve_words(MeasuredFragility const& curve, double confidence) {
     return text + (flags.empty() ? std::string() : fmt::format(" (flagged: {})", fmt::join(flags, ", ")));
 }
 
-std::string frequency_line(Answered const& of, std::string const& body, std::string const& limit,
-                           FragilityFit const& fit) {
+std::string frequency_line(Answered const& of, std::string const& body, std::string const& limit) {
     auto const* const f = frequency_at(of, body, limit);
     if (f == nullptr) {
         return {};
@@ -75,7 +74,7 @@ std::string frequency_line(Answered const& of, std::string const& body, std::str
     auto const& ends = f->mean ? f->interval : f->seen;
     auto const low = rounded_down(ends.lower, headline_digits);
     auto const high = rounded_up(ends.upper, headline_digits);
-    if (lacks_beta_u(fit)) {
+    if (f->lacks_beta_u()) {
         return fmt::format("more than {:.{}g} times a year (how much more needs beta_U)", low, headline_digits);
     }
     if (!f->mean) {
@@ -128,7 +127,7 @@ std::string headline(Answered const& of, std::size_t b, std::size_t limit) {
     }
     for (auto const& part :
          {basis_text(of, b, limit), too_few ? "" : curve_words(body.curves_of(limit).front(), of.confidence),
-          too_few ? "" : frequency_line(of, body.body, stated.name, body.curves_of(limit).front().fit)}) {
+          too_few ? "" : frequency_line(of, body.body, stated.name)}) {
         if (!part.empty()) {
             parts.push_back(part);
         }

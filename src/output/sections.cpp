@@ -77,6 +77,7 @@ std::string responses_text(Answered const& of) {
 bool always(Printed const& /*printed*/) { return true; }
 bool never_unasked(Printed const& /*printed*/) { return false; }
 bool is_grid(Printed const& printed) { return printed.answered.spec.is_grid(); }
+bool is_enough(Printed const& printed) { return no_probability_text(printed.answered).empty(); }
 
 std::string together(Printed const& printed, TextOptions const& /*options*/) {
     auto const& of = printed.answered;
@@ -100,20 +101,21 @@ constexpr std::array sections{
                 return stripes_text(p.answered.spec, p.answered.statistics, options.velocities);
             }},
     Section{
-        "curves", always, is_grid,
+        "curves", is_enough, is_grid,
         [](Printed const& p, TextOptions const&) { return curves_text(p.answered.analysis, p.answered.confidence); }},
-    Section{"responses", always, never_unasked,
+    Section{"responses", is_enough, never_unasked,
             [](Printed const& p, TextOptions const&) { return responses_text(p.answered); }},
     Section{
         "criterion", [](Printed const& p) { return p.answered.spec.measures.energy; }, never_unasked,
         [](Printed const& p, TextOptions const&) { return criteria_text(p.answered.analysis, p.answered.confidence); }},
     Section{"together",
-            [](Printed const& p) { return (p.answered.spec.bodies.size() > 1 && !is_grid(p)) || !p.pairs.empty(); },
+            [](Printed const& p) {
+                return (p.answered.spec.bodies.size() > 1 && !is_grid(p) && is_enough(p)) || !p.pairs.empty();
+            },
             [](Printed const& p) { return !p.pairs.empty(); }, together},
     Section{"hand", always, never_unasked,
             [](Printed const& p, TextOptions const&) { return hand_check_text(p.answered.spec, p.by_hand); }},
-    Section{"frequency", [](Printed const& p) { return p.hazard != nullptr; },
-            [](Printed const& p) { return no_probability_text(p.answered).empty(); },
+    Section{"frequency", [](Printed const& p) { return p.hazard != nullptr && is_enough(p); }, always,
             [](Printed const& p, TextOptions const&) {
                 return frequency_text(p.answered.frequencies, *p.hazard, p.answered.confidence);
             }},
@@ -160,7 +162,8 @@ std::string results_text(Printed const& printed, TextOptions const& options) {
             auto const part = section.text(printed, options);
             text += part.empty() ? std::string() : fmt::format("\n== {}\n{}", section.name, narrowed(part));
         } else if (!is_there && options.names(section.name)) {
-            text += fmt::format("\n== {}\nnothing in this campaign\n", section.name);
+            auto const why = no_probability_text(printed.answered);
+            text += fmt::format("\n== {}\n{}\n", section.name, why.empty() ? "nothing in this campaign" : why);
         }
     }
     if (!options.full && options.sections.empty()) {

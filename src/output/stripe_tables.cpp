@@ -14,7 +14,7 @@
 namespace overturn::output {
 namespace {
 
-constexpr char const* no_chance = "NaN: the waves are a grid of frequencies and no sample";
+constexpr char const* no_chance = "NaN: the waves are no sample, but a grid of frequencies or too few recorded motions";
 
 using Constants = std::vector<std::pair<std::string, Cell>>;
 
@@ -55,15 +55,16 @@ void add_counts(TableOf<AtLevel>& table, std::span<Stripe const> stripes, Passin
         .add("undecided", "1", "further trials without a verdict; left out of the probability", of(&Stripe::undecided));
 }
 
-void add_chances(TableOf<AtLevel>& table, std::span<Stripe const> stripes, double confidence, bool grid) {
+void add_chances(TableOf<AtLevel>& table, std::span<Stripe const> stripes, double confidence, bool sample) {
     table
-        .add("probability", "1", grid ? no_chance : "passed over decided trials; NaN where none is decided",
-             [=](AtLevel const& row) { return grid ? never : stripes[row.level].probability(); })
+        .add("probability", "1", sample ? "passed over decided trials; NaN where none is decided" : no_chance,
+             [=](AtLevel const& row) { return sample ? stripes[row.level].probability() : never; })
         .add("", "1",
-             grid ? no_chance
-                  : "the exact interval (Clopper-Pearson); undecided trials count as not passed below, as passed above",
+             sample
+                 ? "the exact interval (Clopper-Pearson); undecided trials count as not passed below, as passed above"
+                 : no_chance,
              [=](AtLevel const& row) {
-                 return grid ? std::nullopt : std::optional(stripes[row.level].interval(confidence));
+                 return sample ? std::optional(stripes[row.level].interval(confidence)) : std::nullopt;
              });
 }
 
@@ -93,7 +94,8 @@ void add_ends(TableOf<AtLevel>& table, CampaignSpec const& spec, BodyStatistics 
 
 }  // namespace
 
-Table stripe_table(CampaignSpec const& spec, BodyStatistics const& body, std::size_t limit, double confidence) {
+Table stripe_table(CampaignSpec const& spec, BodyStatistics const& body, std::size_t limit, double confidence,
+                   bool sample) {
     auto const& name = spec.limits[limit].name;
     auto const& stripes = body.stripes_of(limit);
     auto const rows = levels_of(stripes);
@@ -105,7 +107,7 @@ Table stripe_table(CampaignSpec const& spec, BodyStatistics const& body, std::si
         rows);
     add_level(table, spec.levels.units());
     add_counts(table, stripes, spec.limits[limit].passing());
-    add_chances(table, stripes, confidence, !body.grid.empty());
+    add_chances(table, stripes, confidence, sample);
     if (limit == 0) {
         add_ends(table, spec, body);
     }
@@ -120,7 +122,7 @@ Table stripe_table(std::span<Stripe const> stripes, double confidence) {
         rows);
     add_level(table, "1");
     add_counts(table, stripes, Passing::overturned);
-    add_chances(table, stripes, confidence, false);
+    add_chances(table, stripes, confidence, true);
     return table.take();
 }
 

@@ -11,9 +11,9 @@
 
 namespace overturn::output {
 
-/// `stripes` of one body and limit state, a row per level.
+/// `stripes` of one body and limit state, a row per level. \param sample else counts without a probability (no_sample)
 [[nodiscard]] Table stripe_table(CampaignSpec const& spec, BodyStatistics const& body, std::size_t limit,
-                                 double confidence);
+                                 double confidence, bool sample);
 /// `stripes` of a table without a campaign.
 [[nodiscard]] Table stripe_table(std::span<Stripe const> stripes, double confidence);
 /// `models`: trials per model that answered them.

@@ -12,6 +12,7 @@
 #include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
 #include "response/registry.hpp"
+#include "results/few_waves.hpp"
 #include "results/statistics.hpp"
 
 namespace overturn::output {
@@ -75,10 +76,10 @@ TextGroup ends_of(CampaignSpec const& spec, BodyStatistics const& s) {
 }
 
 // Their probability, and what the energy criterion predicted.
-TextGroup chances_of(CampaignSpec const& spec, BodyStatistics const& s) {
+TextGroup chances_of(CampaignSpec const& spec, BodyStatistics const& s, bool sample) {
     auto const levels = shown_levels(spec.levels);
     TextGroup columns;
-    if (s.grid.empty()) {
+    if (sample) {
         columns = {{"P"}, {fmt::format("{:g} % interval", 100 * spec.confidence)}};
         for (auto const l : levels) {
             append_row(columns,
@@ -113,13 +114,13 @@ std::string friction_of(BodySpec const& body) {
 }
 
 void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s,
-                 std::optional<IntensityUnit> const& velocities) {
+                 std::optional<IntensityUnit> const& velocities, bool sample) {
     double const limit = body.body.limit_velocity_mps();
     text += fmt::format("\n{}: alpha {:.1f} deg, R {}, restitution {:.3f}, {}, V_Ereq {}\n", body.name,
                         body.body.alpha_rad() * 180 / pi, typed_units(spec).length.text(body.body.radius_m()),
                         restitution_of(body), friction_of(body),
                         velocities.value_or(typed_units(spec).velocity).text(limit));
-    text += columns_text({ends_of(spec, s), chances_of(spec, s)});
+    text += columns_text({ends_of(spec, s), chances_of(spec, s, sample)});
     text += left_out_levels(spec.levels);
     std::string models;
     for (std::size_t r = 0; r < s.models.size(); ++r) {
@@ -139,11 +140,12 @@ void append_body(std::string& text, CampaignSpec const& spec, BodySpec const& bo
 std::string stripes_text(CampaignSpec const& spec, Statistics const& statistics,
                          std::optional<IntensityUnit> const& velocities) {
     std::string text;
+    bool const sample = !no_sample(spec, statistics.waves().waves);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         auto const& counted = statistics.bodies()[b];
-        append_body(text, spec, spec.bodies[b], counted, velocities);
+        append_body(text, spec, spec.bodies[b], counted, velocities, sample);
         for (std::size_t limit = 1; limit < spec.limits.size(); ++limit) {
-            text += limit_stripes_text(spec, counted, limit);
+            text += limit_stripes_text(spec, counted, limit, sample);
         }
     }
     return text;

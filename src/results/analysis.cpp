@@ -10,6 +10,7 @@
 #include "results/detail/drawn_trials.hpp"
 #include "results/detail/fitted_measures.hpp"
 #include "results/detail/level_quantiles.hpp"
+#include "results/few_waves.hpp"
 #include "results/statistics.hpp"
 #include "stats/quantile.hpp"
 #include "stats/rank.hpp"
@@ -53,7 +54,7 @@ std::vector<double> band_over(LevelSpec const& levels, int points) {
     return at;
 }
 
-// Leaves the counts: shares of a grid's trials have no intervals, their ratios no quantiles.
+// Leaves the counts: where waves are no sample, shares have no intervals and ratios no quantiles.
 void keep_counts(CriterionStudy& study) {
     study.at_overturning.reset();
     study.first_overturning.reset();
@@ -68,7 +69,10 @@ void keep_counts(CriterionStudy& study) {
 class Analyst {
   public:
     Analyst(CampaignSpec const& spec, Statistics const& statistics, AnalysisOptions const& options)
-        : spec_(spec), statistics_(statistics), options_(options), is_grid_(spec.is_grid()) {}
+        : spec_(spec),
+          statistics_(statistics),
+          options_(options),
+          no_sample_(no_sample(spec, statistics.waves().waves)) {}
 
     [[nodiscard]] BodyAnalysis of(std::size_t b) const {
         BodyAnalysis body;
@@ -81,9 +85,9 @@ class Analyst {
             auto const& stated = spec_.limits[limit];
             body.limits.push_back({stated.name, definition_of(stated, spec_.limits), fragility(b, limit)});
         }
-        if (is_grid_) {
+        if (no_sample_ == FragilityState::grid) {
             body.grid = map_of(b);
-        } else {
+        } else if (!no_sample_) {
             body.quantiles = level_quantiles(spec_, statistics_.measured(), b, options_.confidence);
         }
         for (auto const* const measure : criteria_of(spec_)) {
@@ -92,11 +96,11 @@ class Analyst {
             body.criterion.push_back({measure, unit,
                                       study_criterion(statistics_.measured().criterion_trials(b, measure),
                                                       options_.confidence, group_size())});
-            if (is_grid_) {
+            if (no_sample_) {
                 keep_counts(body.criterion.back().study);
             }
         }
-        if (spec_.measures.energy && !is_grid_) {
+        if (spec_.measures.energy && !no_sample_) {
             body.response = response_bins(statistics_.measured().responses(b));
             body.verdict = verdict_on(body, options_.confidence);
         }
@@ -105,7 +109,8 @@ class Analyst {
 
     /// At the levels' measure the trials are stripes; their waves are known for the bootstrap.
     [[nodiscard]] FragilityFit over_levels(std::size_t b, std::size_t limit) const {
-        return over_levels(b, limit, singles(b, measure_named("level"), limit), request_of(b, limit, {}));
+        return no_sample_ ? unfitted(b, limit)
+                          : over_levels(b, limit, singles(b, measure_named("level"), limit), request_of(b, limit, {}));
     }
 
   private:
@@ -127,6 +132,25 @@ class Analyst {
         request.quotes = quotes_of(spec_.levels);
         request.band_at = band_over(spec_.levels, options_.band_points);
         return fit_fragility(data, request);
+    }
+
+    // Counts of recorded motions alone; a grid has its map.
+    [[nodiscard]] FragilityFit unfitted(std::size_t b, std::size_t limit) const {
+        FragilityFit fit;
+        fit.state = *no_sample_;
+        fit.passing = spec_.limits[limit].passing();
+        fit.waves = spec_.wave_count;
+        if (no_sample_ == FragilityState::few_records) {
+            for (auto const& stripe : statistics_.bodies()[b].stripes_of(limit)) {
+                fit.trials += static_cast<double>(stripe.decided());
+                fit.overturned += static_cast<double>(stripe.overturned);
+                fit.undecided += static_cast<double>(stripe.trials - stripe.decided());
+            }
+            fit.waves = statistics_.waves().waves;
+            fit.lowest = spec_.levels.levels.front().value;
+            fit.highest = spec_.levels.levels.back().value;
+        }
+        return fit;
     }
 
     // Has one wave, or have waves that share a draw, several trials?
@@ -186,10 +210,8 @@ class Analyst {
         result.title = title_of(measure, spec_);
         result.units = units_of(measure, spec_.levels);
         result.shown_in = printed_unit(result.units, spec_.levels);
-        if (is_grid_) {
-            result.fit.state = FragilityState::grid;
-            result.fit.passing = spec_.limits[limit].passing();
-            result.fit.waves = spec_.wave_count;
+        if (no_sample_) {
+            result.fit = unfitted(b, limit);
             return result;
         }
         // The level itself, not the scaled wave's peak, which differs from it in the last digit.
@@ -212,7 +234,7 @@ class Analyst {
     CampaignSpec const& spec_;
     Statistics const& statistics_;
     AnalysisOptions const& options_;
-    bool is_grid_;
+    std::optional<FragilityState> no_sample_;
 };
 
 }  // namespace

@@ -97,10 +97,11 @@ struct BodyAnalysis {
     bool one_spectrum = false;                 ///< of all waves: no measure can prove better than another
     std::vector<MeasuredFragility> fragility;  ///< of overturning
     std::vector<LimitAnalysis> limits;
-    std::vector<LevelQuantiles> quantiles;  ///< of peak slip (unless it cannot slip) and rotation, level by level
+    std::vector<LevelQuantiles>
+        quantiles;  ///< of peak slip (unless it cannot slip) and rotation, level by level; of a sample
     std::vector<MeasuredCriterion> criterion;
     std::vector<ResponseBin> response;        ///< V_resp over V_WES
-    std::optional<CriterionVerdict> verdict;  ///< none without energies, and of a grid's trials, which are no sample
+    std::optional<CriterionVerdict> verdict;  ///< none without energies, and of waves that are no sample (no_sample)
     /// Map of the grid, where waves are a grid: it replaces curves and quantiles. Fits are then all of state `grid`; of
     /// the criterion there are only counts, of the response nothing.
     std::optional<GridMap> grid;

@@ -16,6 +16,12 @@ bool are_too_few_records(CampaignSpec const& spec, std::int64_t waves) {
     return waves < least_records && are_few_records(spec, waves);
 }
 
+std::optional<FragilityState> no_sample(CampaignSpec const& spec, std::int64_t waves) {
+    return spec.is_grid()                     ? std::optional(FragilityState::grid)
+           : are_too_few_records(spec, waves) ? std::optional(FragilityState::few_records)
+                                              : std::nullopt;
+}
+
 std::vector<TrialRow> trials_of_few_waves(CampaignSpec const& spec, store::ResultsReader const& file) {
     if (!are_few_records(spec, plan_in(file, spec).waves())) {
         return {};

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "results/few_waves.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {
@@ -46,10 +47,23 @@ Interval interval_of_fit(FragilityFit const& fit, HazardCurve const& hazard, Tri
                          double confidence) {
     // What was drawn is in the refits; what was stated stands beside.
     double const beside = std::sqrt(std::max(0.0, fit.beta_u * fit.beta_u - fit.beta_u_drawn * fit.beta_u_drawn));
+    confidence = fit.waves > 0 ? resampled_confidence(confidence, fit.waves) : confidence;
     auto ends = interval_of(fit.refits, beside, hazard, tried, confidence);
     for (auto const& refits : fit.extreme_refits) {
         ends = hull(ends, refits.empty() ? Interval{0, all_motions(hazard, tried)}
                                          : interval_of(refits, beside, hazard, tried, confidence));
+    }
+    if (fit.method == FragilityFit::Method::wider_of_both) {  // few refits scatter too little
+        auto const& [median, beta, five, hclpf] = fit.intervals();
+        bool const open = median.lower <= 0 || !std::isfinite(beta.upper);
+        double const most =
+            open ? all_motions(hazard, tried)
+                 : frequency_bounds(hazard, {median.lower, std::hypot(beta.upper, beside)}, tried).most();
+        double const least =
+            std::isfinite(median.upper) && beta.lower > 0
+                ? frequency_bounds(hazard, {median.upper, std::hypot(beta.lower, beside)}, tried).least()
+                : 0;
+        ends = hull(ends, {least, most});
     }
     return ends;
 }
@@ -104,7 +118,13 @@ void add_curve(BodyFrequency& made, LognormalFragility const& mean, HazardCurve 
     made.wide = widest_piece(hazard, mean);
 }
 
-void add_fractiles(BodyFrequency& made, double median, double beta_r, double beta_u, HazardCurve const& hazard) {
+// \param beta_u 0: not known
+void open_above_or_add_fractiles(BodyFrequency& made, double median, double beta_r, double beta_u,
+                                 HazardCurve const& hazard) {
+    if (beta_u <= 0) {
+        made.interval.upper = std::numeric_limits<double>::infinity();
+        return;
+    }
     constexpr double score = 1.6448536269514722;
     auto const at = [&](double scores) {
         return whole(annual_frequency(hazard, {median * std::exp(scores * beta_u), beta_r}));
@@ -148,9 +168,7 @@ BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes
     if (made.mean->annual > 0) {
         made.shares = shares_of(hazard, composite, fit.lowest, fit.highest);
     }
-    if (fit.beta_u > 0) {
-        add_fractiles(made, median, fit.beta_r(), fit.beta_u, hazard);
-    }
+    open_above_or_add_fractiles(made, median, fit.beta_r(), fit.beta_u_known ? fit.beta_u : 0, hazard);
     return made;
 }
 
@@ -160,9 +178,7 @@ BodyFrequency frequency_of_stated(double median, double beta_r, double beta_u, H
     made.highest = std::numeric_limits<double>::infinity();
     add_curve(made, {median, std::hypot(beta_r, beta_u)}, hazard, {made.lowest, made.highest, 0});
     made.interval = {made.bounds.least(), made.bounds.most()};
-    if (beta_u > 0) {
-        add_fractiles(made, median, beta_r, beta_u, hazard);
-    }
+    open_above_or_add_fractiles(made, median, beta_r, beta_u, hazard);
     return made;
 }
 
@@ -170,6 +186,9 @@ std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics c
                                           std::vector<BodyAnalysis> const& analysis, HazardCurve const& hazard,
                                           double confidence) {
     std::vector<BodyFrequency> all;
+    if (no_sample(spec, statistics.waves().waves)) {
+        return all;
+    }
     for (std::size_t b = 0; b < analysis.size(); ++b) {
         double const still = nothing_below(spec, spec.bodies[b]);
         for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {

@@ -24,7 +24,7 @@ struct BodyFrequency {
     /// it as often as at their end; its upper end counts those above as passing it always, those below as often as the
     /// curve allows (FrequencyBounds). From refits to resampled waves or trials, with undecided trials as either
     /// extreme; where the curve does not describe the data, or might not with them, as far as the stripes alone allow
-    /// too.
+    /// too. Without a beta_U it has no upper end (infinite): a wider curve is passed more often.
     Interval interval;
     FrequencyBounds bounds;  ///< the parts of both ends, by the curve itself
     double continued = 0;    ///< estimate: the hazard curve continued beyond its ends at its slopes there
@@ -46,6 +46,8 @@ struct BodyFrequency {
     std::optional<FrequencyShares> shares;  ///< of the mean: below, between and above the levels that were tried
     bool stated = false;                    ///< no trials: the curve is stated, and `interval` bounds the hazard alone
 
+    /// Is there a curve whose beta_U is not known?
+    [[nodiscard]] bool lacks_beta_u() const { return mean && !fractiles; }
     /// Part of the mean from motions outside of the levels, or of the hazard curve.
     [[nodiscard]] double extrapolated() const;
 };
@@ -57,6 +59,7 @@ struct BodyFrequency {
 /// Frequency of a stated curve: beta_R, and beta_U beside it (0: not known).
 [[nodiscard]] BodyFrequency frequency_of_stated(double median, double beta_r, double beta_u, HazardCurve const& hazard);
 
+/// None where the waves are no sample.
 [[nodiscard]] std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics const& statistics,
                                                         std::vector<BodyAnalysis> const& analysis,
                                                         HazardCurve const& hazard, double confidence);

@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "results/detail/fitted_measures.hpp"
+#include "results/few_waves.hpp"
 
 namespace overturn {
 namespace {
@@ -64,7 +65,7 @@ std::vector<JointTrial> joint_trials(CampaignSpec const& spec, MeasuredTrials co
 
 std::vector<BodiesTogether> bodies_together(CampaignSpec const& spec, Statistics const& statistics) {
     std::vector<BodiesTogether> together;
-    if (spec.bodies.size() < 2 || spec.is_grid()) {
+    if (spec.bodies.size() < 2 || no_sample(spec, statistics.waves().waves)) {
         return together;
     }
     for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
@@ -105,6 +106,9 @@ std::vector<TwoMeasures> over_two_measures(CampaignSpec const& spec, Statistics 
                                            MeasurePair const& measures, double confidence) {
     validate(!spec.is_grid(),
              "--measures for waves on a grid of frequencies (no random sample: no curve). Leave it out");
+    validate(!no_sample(spec, statistics.waves().waves),
+             "--measures for {} recorded motions (a curve needs {} or more). Leave it out", statistics.waves().waves,
+             least_records);
     constexpr int replicates = 1000;
     std::vector<TwoMeasures> fits;
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {

@@ -86,6 +86,18 @@ Interval Bootstrap::probability(double intensity, double confidence) const {
     });
 }
 
+double resampled_confidence(double confidence, std::int64_t waves) {
+    if (waves >= waves_enough_to_resample) {
+        return confidence;
+    }
+    if (waves < 2) {
+        return 1;
+    }
+    auto const n = static_cast<double>(waves);
+    double const t = gsl_cdf_tdist_Pinv((1 + confidence) / 2, n - 1);
+    return 1 - 2 * gsl_cdf_ugaussian_Q(t * std::sqrt(n / (n - 1)));
+}
+
 Bootstrap bootstrap_waves(std::span<SingleTrial const> trials, ProbitLine const& line, BootstrapKey const& key) {
     constexpr std::size_t most_points = 64;
     WaveCells const cells(trials, most_points);

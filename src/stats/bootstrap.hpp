@@ -1,6 +1,7 @@
 /// Scatter of the fit if the campaign were run again: fits to resampled data (Efron 1979).
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -38,6 +39,15 @@ class Bootstrap {
     Replicate estimate_;  ///< of the data themselves
     std::size_t without_curve_ = 0;
 };
+
+/// Independent waves that a curve needs: of fewer no resample shows how much the next ones would change it.
+inline constexpr std::int64_t least_waves = 5;
+/// Of fewer independent waves percentiles are too short.
+inline constexpr std::int64_t waves_enough_to_resample = 30;
+/// Confidence at which resampled percentiles of so many waves are read to have the stated coverage: of few waves a
+/// higher one, 2 Phi(t sqrt(n / (n - 1))) - 1 with Student's t of n - 1 degrees of freedom (Hesterberg 2015, The
+/// American Statistician 69, 371, expanded percentile intervals). 1 of a single wave.
+[[nodiscard]] double resampled_confidence(double confidence, std::int64_t waves);
 
 /// Identifies a bootstrap's random streams: replicate r draws from (seed, r, bootstrap, stream).
 struct BootstrapKey {

@@ -32,12 +32,13 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     // Stripes without any verdict are no points.
     fit.undecided = data.kind == FragilityData::Kind::stripes ? sum_of(data.open_points).undecided : sum.undecided;
     fit.waves = waves_of(data.trials);
-    fit.method =
-        data.waves_shared ? FragilityFit::Method::bootstrap_by_waves : FragilityFit::Method::profile_likelihood;
     raise_if(fit, fit.undecided > 0, FragilityFlag::undecided_trials);
     raise_if(fit, data.waves_left_out, FragilityFlag::waves_left_out);
-    constexpr std::int64_t few = 30;
-    raise_if(fit, fit.waves > 0 && fit.waves < few, FragilityFlag::few_waves);
+    raise_if(fit, fit.waves > 0 && fit.waves < waves_enough_to_resample, FragilityFlag::few_waves);
+    using enum FragilityFit::Method;
+    fit.method = !data.waves_shared                         ? profile_likelihood
+                 : has(fit.flags, FragilityFlag::few_waves) ? wider_of_both
+                                                            : bootstrap_by_waves;
     raise_if(fit, fit.overturned == 1 && fit.trials > 1, FragilityFlag::one_overturned);
     if (data.points.empty()) {
         return;
@@ -104,8 +105,7 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
     fit.refits = curve.refits.replicates();
     fit.replicates_without_curve = curve.refits.without_curve();
     for (double const at : request.band_at) {
-        fit.band.push_back({at, gsl_cdf_ugaussian_P(curve.line.at(std::log(at))),
-                            curve.probability(at, fit.method, request.confidence)});
+        fit.band.push_back({at, gsl_cdf_ugaussian_P(curve.line.at(std::log(at))), curve.probability(at, fit.method)});
     }
     for (auto& quoted : fit.quotes) {
         quote_curve(quoted, fit, data, curve, fit.goodness->least_p_value() < chance, request.confidence);
@@ -167,6 +167,8 @@ void judge(FragilityFit& fit, FragilityData const& data, double confidence) {
             fit.flags |= bit(FragilityFlag::not_converged);
             break;
         case FragilityState::grid:  // these say themselves why there is nothing
+        case FragilityState::few_records:
+        case FragilityState::few_waves:
         case FragilityState::undecided:
             break;
         case FragilityState::fitted: {
@@ -268,6 +270,9 @@ FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& re
     add_betas(fit, request);
     describe(fit, data);
     fit.state = state_of(data.points);
+    if (fit.state == FragilityState::fitted && fit.waves > 0 && fit.waves < least_waves) {
+        fit.state = FragilityState::few_waves;
+    }
     test_shape_of(fit, data, request);
     for (auto const& quote : request.quotes) {
         fit.quotes.push_back(seen_at(quote, fit, data, request.confidence));

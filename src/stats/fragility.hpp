@@ -160,7 +160,9 @@ struct FragilityFit {
     };
     std::optional<Intervals> profile, bootstrap;  ///< of the decided trials
     std::optional<Intervals> ends;  ///< to be signed: of `method`, with undecided trials as either extreme
-    enum class Method { profile_likelihood, bootstrap_by_waves };
+    /// Trials that share waves are resampled with them. Of few waves that gives short intervals: the profile
+    /// likelihood, and so many exact capacities, widen them.
+    enum class Method { profile_likelihood, bootstrap_by_waves, wider_of_both };
     Method method = Method::profile_likelihood;
     std::size_t replicates = 0, replicates_without_curve = 0;
     std::vector<Replicate> refits;  ///< of the bootstrap, for what is computed from the curve

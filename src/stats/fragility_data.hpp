@@ -63,6 +63,8 @@ enum class FragilityState : std::uint8_t {
     not_converged = 7,  ///< the solver gave up: ours to mend
     grid = 8,           ///< the waves are points of a grid and no sample: nothing was fitted
     undecided = 9,      ///< too many trials have no verdict: the median depends on what they would have done
+    few_records = 10,   ///< recorded motions that are too few for a probability: nothing was fitted
+    few_waves = 11,     ///< independent waves that are too few for a curve
 };
 
 /// State by the data alone, before any fit: fitted and not_rising are not yet distinguished.

@@ -83,7 +83,7 @@ TEST_F(Capacities, GiveAnAnnualFrequency) {
     ASSERT_EQ(ended.code, 0) << ended.err;
     auto const row = json::parse(ended.out)["frequency"][0];
     EXPECT_LT(row["frequency_lower_per_year"], row["mean_per_year"]);
-    EXPECT_GT(row["frequency_upper_per_year"], row["mean_per_year"]);
+    EXPECT_TRUE(row["frequency_upper_per_year"].is_null()) << "beta_U is not known";
 }
 
 TEST_F(Capacities, WhatCannotBeReadIsRefusedWhereItStands) {

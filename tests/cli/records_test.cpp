@@ -41,6 +41,19 @@ class RecordsOnTheLine : public ::testing::Test {
         folder.write("rests.csv", record(0));
         folder.write("body.toml", body);
     }
+    // r0.csv, r1.csv, ...
+    void write_records(int count) {
+        for (int i = 0; i < count; ++i) {
+            folder.write(fmt::format("r{}.csv", i), record(0.2 * i));
+        }
+    }
+    static std::string files_of(int count) {
+        std::string files;
+        for (int i = 0; i < count; ++i) {
+            files += fmt::format("{}'r{}.csv'", i == 0 ? "" : ",", i);
+        }
+        return "files=[" + files + "]\n";
+    }
     Folder folder;
 };
 
@@ -194,12 +207,8 @@ TEST_F(RecordsOnTheLine, OfFewerThanFiveThereIsNoProbability) {
         EXPECT_EQ(row.at("trials"), 1);
     }
 
-    std::string files;
-    for (int i = 0; i < 5; ++i) {
-        folder.write(fmt::format("r{}.csv", i), record(0.2 * i));
-        files += fmt::format("{}'r{}.csv'", i == 0 ? "" : ",", i);
-    }
-    folder.write("five.toml", campaign("files=[" + files + "]\n", "pga", "'1 g', '3 g'"));
+    write_records(5);
+    folder.write("five.toml", campaign(files_of(5), "pga", "'1 g', '3 g'"));
     auto const five = overturn(folder, {"run", "five.toml"});
     EXPECT_NE(five.out.find(" P(overturn) "), std::string::npos) << five.out << five.err;
     EXPECT_EQ(five.out.find("no probability"), std::string::npos) << five.out;
@@ -208,6 +217,48 @@ TEST_F(RecordsOnTheLine, OfFewerThanFiveThereIsNoProbability) {
                     .at(0)
                     .at("no_probability")
                     .is_null());
+}
+
+// nor is there one anywhere else: four records that would hold a curve give counts in every table of the file,
+// of JSON and of the text, and no curve, percentile or annual frequency.
+TEST_F(RecordsOnTheLine, OfFewerThanFiveNoTableHasAProbability) {
+    write_records(5);
+    auto const levels = "'0.3 g', '0.42 g', '0.44 g', '0.5 g', '1 g'";
+    folder.write("four.toml", campaign(files_of(4), "pga", levels));
+    folder.write("five.toml", campaign(files_of(5), "pga", levels));
+    folder.write("hazard.csv", "pga [g], annual_exceedance\n0.1,1e-2\n5,1e-7\n");
+    for (auto const* const name : {"four", "five"}) {
+        auto const run = overturn(folder, {"run", fmt::format("{}.toml", name)});
+        ASSERT_EQ(run.code, 0) << run.err;
+    }
+    auto const fit_of = [&](char const* file) {
+        return json::parse(overturn(folder, {"fit", file, "--json", "--hazard", "hazard.csv", "--beta-u", "0.2"}).out);
+    };
+    auto const numbers = [](json const& fit) {
+        std::size_t count = 0;
+        for (auto const* const table : {"stripes", "fragility", "isotonic", "band", "probabilities", "together",
+                                        "quantiles", "frequency", "criterion", "answer"}) {
+            for (auto const& row : fit.value(table, json::array())) {
+                for (auto const* const key : {"probability", "lower", "upper", "median", "p95", "hclpf",
+                                              "mean_per_year", "false_safe_share_lower"}) {
+                    count += row.contains(key) && !row.at(key).is_null() ? 1 : 0;
+                }
+            }
+        }
+        return count;
+    };
+    auto const four = fit_of("four.h5");
+    EXPECT_EQ(numbers(four), 0U) << four.dump(1);
+    EXPECT_GT(numbers(fit_of("five.h5")), 20U) << "the control";
+    EXPECT_EQ(four.at("fragility").at(0).at("state"), "few-records");
+    EXPECT_EQ(four.at("fragility").at(0).at("trials"), 20);
+    auto const text = overturn(folder, {"fit", "four.h5", "--full", "--hazard", "hazard.csv", "--beta-u", "0.2"}).out;
+    for (auto const* const none : {"P(", "P <=", "95 % interval", "a year"}) {
+        EXPECT_EQ(text.find(none), std::string::npos) << none << " in\n" << text;
+    }
+    EXPECT_NE(text.find("4 records: no probability, which needs 5 or more"), std::string::npos) << text;
+    auto const asked = overturn(folder, {"fit", "four.h5", "--section", "frequency", "--hazard", "hazard.csv"}).out;
+    EXPECT_NE(asked.find("== frequency\n4 records: no probability"), std::string::npos) << asked;
 }
 
 // how far a site's limit is away is a length, not a ratio.

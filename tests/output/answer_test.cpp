@@ -70,12 +70,15 @@ struct Made {
     // One for each body and limit state.
     [[nodiscard]] std::vector<BodyFrequency> frequencies() const {
         std::vector<BodyFrequency> all;
-        for (auto const& body : spec.bodies) {
-            for (auto const& limit : spec.limits) {
+        for (auto const& body : analysis) {
+            for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
                 BodyFrequency one;
-                one.body = body.name;
-                one.limit = limit.name;
-                one.seen = {1.2301e-5, 4.5601e-4};
+                one.body = body.body;
+                one.limit = spec.limits[limit].name;
+                one.seen = one.interval = {1.2301e-5, 4.5601e-4};
+                if (body.curves_of(limit).front().fit.identifiable()) {
+                    one.mean.emplace();
+                }
                 all.push_back(one);
             }
         }
@@ -320,7 +323,7 @@ TEST(Answer, IsATableToo) {
     auto const& row = table.rows.at(1);
     EXPECT_EQ(std::get<std::string>(row.at(table.place_of("body"))), "one");
     EXPECT_EQ(std::get<double>(row.at(table.place_of("amplitude"))), 9.0);
-    EXPECT_EQ(std::get<std::int64_t>(row.at(table.place_of("passed"))), 5);
+    EXPECT_EQ(std::get<std::int64_t>(row.at(table.place_of("exceeded"))), 5);
     EXPECT_EQ(std::get<double>(row.at(table.place_of("probability"))), 0.125);
     EXPECT_TRUE(std::holds_alternative<std::monostate>(row.at(table.place_of("hclpf"))));
 }

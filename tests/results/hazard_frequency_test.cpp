@@ -219,8 +219,12 @@ TEST_F(Frequency, IsThatOfTheCurveAndWithinTheStripes) {
     EXPECT_LT(f.interval.lower, mean);
     EXPECT_GT(f.interval.upper, mean);
     EXPECT_GT(f.interval.lower, 0.6 * mean);
+    EXPECT_TRUE(std::isinf(f.interval.upper)) << "beta_U is not known";
     // Below the lowest level, 2, P is at most what the curve holds there, above the highest, 18, it may be 1.
-    EXPECT_LT(f.interval.upper, 1.6 * mean + f.bounds.below_most * 6 + f.bounds.above_most);
+    auto const sure = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 1e-6, .replicates = 200});
+    auto const upper = frequencies_of(spec, statistics, sure, hazard, 0.95).front().interval.upper;
+    EXPECT_GT(upper, mean);
+    EXPECT_LT(upper, 1.6 * mean + f.bounds.below_most * 6 + f.bounds.above_most);
     EXPECT_NEAR(f.bounds.above_most, 1e-2 * std::pow(18 / 0.5, -3), 1e-12);
     EXPECT_NEAR(f.bounds.below_most / (1e-2 * (std::pow(9.80665 * 0.1 / 0.5, -3) - std::pow(4.0, -3))),
                 LognormalFragility({6, 0.4}).probability(2), 1e-3);

@@ -120,6 +120,47 @@ TEST(HclpfCoverage, IsNominalForSlicedDraws) {
     EXPECT_NEAR(hits.hclpf, 0.95, 0.03);
 }
 
+double coverage_of_few(int waves, bool of_median, int repetitions) {
+    constexpr double beta = 0.3;
+    double const truth = of_median ? std::exp(log_median) : std::exp(log_median - 1.645 * beta);
+    int hits = 0;
+    int curves = 0;
+    for (std::uint64_t r = 0; r < static_cast<std::uint64_t>(repetitions); ++r) {
+        std::vector<SingleTrial> trials;
+        for (int wave = 0; wave < waves; ++wave) {
+            RandomStream stream(47, static_cast<std::uint64_t>(wave), Purpose::body_scatter, r);
+            double const capacity = log_median + gsl_ran_gaussian(stream.gsl(), beta);
+            for (int k = 0; k < 16; ++k) {
+                double const level = log_median + (k - 7.5) * 0.1;
+                trials.push_back({std::exp(level), wave, level > capacity, wave});
+            }
+        }
+        FragilityRequest request;
+        request.bootstrap = {19, r, 200};
+        FragilityData data;
+        data.points = points_of(trials, 64);
+        data.trials = trials;
+        data.waves_shared = true;
+        auto const fit = fit_fragility(data, request);
+        if (fit.identifiable()) {
+            ++curves;
+            hits += holds(of_median ? fit.intervals().median : fit.intervals().five_percent_point, truth) ? 1 : 0;
+        }
+    }
+    return static_cast<double>(hits) / curves;
+}
+
+/// Requirement R-703: intervals of few waves hold the truth as often as they say, and no less.
+TEST(FewWaves, IntervalsHoldTheTruthAsOftenAsTheySay) {
+    for (int const waves : {5, 10, 20}) {
+        for (bool const of_median : {true, false}) {
+            auto const share = coverage_of_few(waves, of_median, 200);
+            RecordProperty(std::to_string(waves) + (of_median ? "median" : "five"), std::to_string(share));
+            EXPECT_GE(share, 0.925) << waves << (of_median ? " waves, median" : " waves, 5 % point");
+        }
+    }
+}
+
 /// One Newton step lands where refitting the resampled trials does, far within their scatter.
 TEST(HclpfCoverage, OneStepIsNearTheFullRefit) {
     auto const made = campaign(200, Draws::independent, 1);

@@ -74,9 +74,9 @@ std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words) {
     return text(*fit.hclpf()) + (ends ? fmt::format(" (lower end {})", text(ends->lower)) : std::string()) + stated;
 }
 
-std::string frequency_words(BodyFrequency const& f, MeasuredFragility const& curve) {
+std::string frequency_words(BodyFrequency const& f) {
     auto const& ends = f.mean ? f.interval : f.seen;
-    if (lacks_beta_u(curve.fit)) {
+    if (f.lacks_beta_u()) {
         return fmt::format("> {:.3g} a year", rounded_down(ends.lower));
     }
     return fmt::format("{:.3g} to {:.3g} a year", rounded_down(ends.lower), rounded_up(ends.upper));

@@ -23,6 +23,6 @@ struct HclpfWords {
 [[nodiscard]] std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words);
 
 /// "3.8e-08 to 5.9e-08 a year"; "> 3.8e-08 a year" where beta_U, which raises it, is not known.
-[[nodiscard]] std::string frequency_words(BodyFrequency const& f, MeasuredFragility const& curve);
+[[nodiscard]] std::string frequency_words(BodyFrequency const& f);
 
 }  // namespace overturn::output

@@ -20,10 +20,6 @@ namespace overturn::output {
 /// Do more than half of the trials leave the response open? What the others have is then no percentile of all.
 [[nodiscard]] inline bool mostly_unknown(LevelQuantiles const& at) { return at.trials == 0 || at.unknown > at.trials; }
 
-/// Is there a curve whose beta_U is not known? Its HCLPF is none, and the upper end of its annual frequency is open: a
-/// wider curve is passed more often.
-[[nodiscard]] inline bool lacks_beta_u(FragilityFit const& fit) { return fit.identifiable() && !fit.hclpf(); }
-
 /// Null without a hazard curve.
 [[nodiscard]] inline BodyFrequency const* frequency_at(Answered const& of, std::string const& body,
                                                        std::string const& limit) {

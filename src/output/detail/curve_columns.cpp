@@ -104,10 +104,12 @@ void add_curve_columns(TableOf<Curve>& table) {
              if_fitted([](Fit const& fit) { return fit.line->beta(); }))
         .add("beta", "1", "beta", if_fitted([](Fit const& fit) { return fit.intervals().beta; }))
         .category("interval_method", "method of the intervals of median, beta and 5 % point",
-                  {"profile-likelihood", "bootstrap-by-waves"},
+                  {"profile-likelihood", "bootstrap-by-waves", "wider-of-both"},
                   [](Curve const& curve) {
-                      return std::string(curve.fit.method == Fit::Method::bootstrap_by_waves ? "bootstrap-by-waves"
-                                                                                             : "profile-likelihood");
+                      using enum Fit::Method;
+                      return std::string(curve.fit.method == bootstrap_by_waves ? "bootstrap-by-waves"
+                                         : curve.fit.method == wider_of_both    ? "wider-of-both"
+                                                                                : "profile-likelihood");
                   })
         .add("beta_r", "1", "record-to-record part of beta; equals beta if no body property is uncertain",
              if_fitted([](Fit const& fit) { return fit.beta_r(); }))

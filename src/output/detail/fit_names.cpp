@@ -59,6 +59,10 @@ std::string name_of(FragilityState state, Passing passing) {
             return "grid";
         case FragilityState::undecided:
             return "undecided";
+        case FragilityState::few_records:
+            return "few-records";
+        case FragilityState::few_waves:
+            return "few-waves";
         case FragilityState::not_converged:
             break;
     }

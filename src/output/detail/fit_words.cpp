@@ -9,6 +9,7 @@
 #include "core/outward.hpp"
 #include "output/curve_spread.hpp"
 #include "output/interval_text.hpp"
+#include "results/few_waves.hpp"
 
 namespace overturn::output {
 namespace {
@@ -96,6 +97,15 @@ void add_state(std::vector<std::string>& texts, FragilityFit const& fit, Intensi
         case FragilityState::grid:
             texts.push_back(grid_text(fit.waves));
             break;
+        case FragilityState::few_records:
+            texts.push_back(few_records_text(fit.waves));
+            break;
+        case FragilityState::few_waves:
+            texts.push_back(
+                fmt::format("no curve: it needs {} independent waves or more ({} here); use the intervals "
+                            "of the stripes",
+                            least_waves, fit.waves));
+            break;
         case FragilityState::undecided:
             texts.push_back(fmt::format(
                 "no curve: more than 5 % of the trials at a level below the median have no verdict ({:g} in all); "
@@ -144,6 +154,11 @@ std::string grid_text(std::int64_t waves) {
     return fmt::format("a grid of {} {} is no sample: no curve", waves, waves == 1 ? "frequency" : "frequencies");
 }
 
+std::string few_records_text(std::int64_t records) {
+    return fmt::format("{} record{}: no probability, which needs {} or more", records, records == 1 ? "" : "s",
+                       least_records);
+}
+
 std::string counts_text(SeenBound const& seen) {
     return fmt::format("{:g} of {:g}{}", seen.overturned, seen.units,
                        seen.of_waves ? " independent waves" : group_text(seen.group_size));
@@ -184,9 +199,8 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
                            fit.identifiable() ? "; its intervals include both extremes (all stood, all fell)" : ""));
     }
     if (fit.identifiable()) {  // without a curve nothing is resampled
-        add_if(FragilityFlag::few_waves, fmt::format("only {} {}: bootstrap intervals are too short (coverage with "
-                                                     "ten: 90 % instead of 95; with five: 84)",
-                                                     fit.waves, fit.group_size > 1 ? "groups of waves" : "waves"));
+        add_if(FragilityFlag::few_waves, fmt::format("only {} {}: the intervals are widened for so few", fit.waves,
+                                                     fit.group_size > 1 ? "groups of waves" : "waves"));
     }
     add_if(FragilityFlag::waves_left_out,
            fmt::format("curves and bootstrap use the first {} waves (2 million trials)", fit.waves));

@@ -38,10 +38,10 @@ std::string estimate_text(Stripe const& stripe) {
     return fmt::format("{}{:.4f}", stripe.decided() < stripe.trials ? "~" : "", stripe.probability());
 }
 
-std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& counted, std::size_t limit) {
+std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& counted, std::size_t limit,
+                               bool sample) {
     auto const& stated = spec.limits[limit];
     auto const& of = counted.limits[limit - 1];
-    bool const grid = !counted.grid.empty();
     auto text = fmt::format("\n{}, limit state {}: {}\n", counted.body, full_name(stated, spec.limits),
                             definition_of(stated, spec.limits));
     auto const levels = shown_levels(spec.levels);
@@ -54,7 +54,7 @@ std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& c
         append_row(chances, std::array{estimate_text(stripe), interval_text(stripe.interval(spec.confidence))});
     }
     std::vector<TextGroup> groups{{level_column(spec.levels, levels)}, counts};
-    if (!grid) {
+    if (sample) {
         groups.push_back(chances);
     }
     groups.push_back({purpose_column(spec.levels, levels)});

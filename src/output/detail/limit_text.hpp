@@ -13,9 +13,9 @@ namespace overturn::output {
 /// decided.
 [[nodiscard]] std::string estimate_text(Stripe const& stripe);
 
-/// Trials of a body at each level by one limit state, with what must be known of them.
-[[nodiscard]] std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& counted,
-                                             std::size_t limit);
+/// Trials of a body at each level by one limit state, with what must be known of them. \param sample else without P
+[[nodiscard]] std::string limit_stripes_text(CampaignSpec const& spec, BodyStatistics const& counted, std::size_t limit,
+                                             bool sample);
 
 /// Percentiles of slip and rotation of a body at each level; empty if it never moved.
 [[nodiscard]] std::string quantiles_text(CampaignSpec const& spec, BodyAnalysis const& body, double confidence);

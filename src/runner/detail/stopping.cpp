@@ -44,8 +44,8 @@ void look(CampaignSpec const& spec, Statistics const& statistics, std::size_t bo
 }  // namespace
 
 std::vector<std::int64_t> stopping_points(CampaignSpec const& spec, Plan const& plan) {
-    constexpr std::int64_t least_waves = 32;  // fewer say little, and resampling them says it too surely
-    return spec.has_target() ? looks(waves_per_look(plan.asked()), least_waves, plan.count())
+    constexpr std::int64_t first_look = 32;  // fewer say little, and resampling them says it too surely
+    return spec.has_target() ? looks(waves_per_look(plan.asked()), first_look, plan.count())
                              : std::vector<std::int64_t>{};
 }
 

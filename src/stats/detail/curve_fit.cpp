@@ -9,6 +9,7 @@
 #include <gsl/gsl_cdf.h>
 
 #include "stats/detail/extended_real.hpp"
+#include "stats/detail/tail_bounds.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {
@@ -19,7 +20,8 @@ using Intervals = FragilityFit::Intervals;
 Interval lowered(Interval const& interval, double by) { return {interval.lower * by, interval.upper * by}; }
 
 // Every replicate with the split of its own waves: what it says of ln HCLPF.
-Interval resampled_hclpf(Bootstrap const& refits, ProbitLine const& line, FragilityRequest const& request) {
+Interval resampled_hclpf(Bootstrap const& refits, ProbitLine const& line, FragilityRequest const& request,
+                         double confidence) {
     auto const& splits = request.split->replicates;
     auto const log_hclpf = [&](Replicate const& curve, double drawn) {
         double const waves = std::sqrt(std::max(0.0, curve.beta * curve.beta - drawn * drawn));
@@ -34,19 +36,27 @@ Interval resampled_hclpf(Bootstrap const& refits, ProbitLine const& line, Fragil
         }
         logs.push_back(log_hclpf(curve, splits.at(r).beta_u));
     }
-    auto const ends = middle_about(log_hclpf({line.log_median(), line.beta()}, request.split->beta_u), logs,
-                                   request.confidence, {-infinite, infinite});
+    auto const ends = middle_about(log_hclpf({line.log_median(), line.beta()}, request.split->beta_u), logs, confidence,
+                                   {-infinite, infinite});
     return {std::exp(ends.lower), std::exp(ends.upper)};
 }
 
 void add_hclpf(CurveFit& fit, FragilityRequest const& request) {
     if (request.split && !request.split->replicates.empty()) {
         // The likelihood of one curve knows nothing of the split.
-        fit.bootstrap.hclpf = fit.profile.hclpf = resampled_hclpf(fit.refits, fit.line, request);
+        fit.bootstrap.hclpf = fit.profile.hclpf =
+            resampled_hclpf(fit.refits, fit.line, request, fit.resampled_confidence);
     } else if (!request.drawn && request.beta_u > 0) {
         double const margin = std::exp(-hclpf_score * request.beta_u);
         fit.profile.hclpf = lowered(fit.profile.five_percent_point, margin);
         fit.bootstrap.hclpf = lowered(fit.bootstrap.five_percent_point, margin);
+    }
+    if (fit.few && fit.bootstrap.hclpf) {  // as much wider as the 5 % point
+        auto const& five = fit.bootstrap.five_percent_point;
+        auto const& few = fit.of_few.five_percent_point;
+        fit.of_few.hclpf =
+            Interval{five.lower > 0 ? fit.bootstrap.hclpf->lower * few.lower / five.lower : 0,
+                     fit.bootstrap.hclpf->upper * (std::isfinite(five.upper) ? few.upper / five.upper : 1)};
     }
 }
 
@@ -103,12 +113,24 @@ std::vector<FragilityPoint> undecided_shares(FragilityData const& data) {
 }  // namespace
 
 FragilityFit::Intervals CurveFit::ends(FragilityFit::Method method) const {
-    return method == FragilityFit::Method::bootstrap_by_waves ? bootstrap : profile;
+    auto made = method == FragilityFit::Method::profile_likelihood ? profile : bootstrap;
+    if (method == FragilityFit::Method::wider_of_both) {
+        widen(made, profile);
+        widen(made, few ? of_few : made);
+    }
+    return made;
 }
 
-Interval CurveFit::probability(double intensity, FragilityFit::Method method, double confidence) const {
-    return method == FragilityFit::Method::bootstrap_by_waves ? refits.probability(intensity, confidence)
-                                                              : likelihood.probability(intensity);
+Interval CurveFit::probability(double intensity, FragilityFit::Method method) const {
+    if (method == FragilityFit::Method::profile_likelihood) {
+        return likelihood.probability(intensity);
+    }
+    auto ends = refits.probability(intensity, resampled_confidence);
+    if (method == FragilityFit::Method::wider_of_both) {
+        ends = hull(ends, likelihood.probability(intensity));
+        ends = few ? hull(ends, few->probability(intensity)) : ends;
+    }
+    return ends;
 }
 
 CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleTrial const> trials,
@@ -126,10 +148,16 @@ CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleT
     }
     auto refits = resample(points, trials, *line, request);
     double const five_percent = gsl_cdf_ugaussian_P(-hclpf_score);
-    CurveFit fit{*line, profile, std::move(refits), {}, {}};
+    auto const waves = waves_of(trials);
+    double const resampled = trials.empty() ? request.confidence : resampled_confidence(request.confidence, waves);
+    CurveFit fit{*line, profile, std::move(refits), {}, {}, {}, {}, resampled};
     fit.profile = {profile.intensity(0.5), profile.beta(), profile.intensity(five_percent), std::nullopt};
-    fit.bootstrap = {fit.refits.intensity(0.5, request.confidence), fit.refits.beta(request.confidence),
-                     fit.refits.intensity(five_percent, request.confidence), std::nullopt};
+    fit.bootstrap = {fit.refits.intensity(0.5, resampled), fit.refits.beta(resampled),
+                     fit.refits.intensity(five_percent, resampled), std::nullopt};
+    if (waves > 1 && waves < waves_enough_to_resample) {
+        fit.few.emplace(*line, waves, request.confidence);
+        fit.of_few = {fit.few->median(), fit.few->beta(), fit.few->intensity(five_percent), std::nullopt};
+    }
     add_hclpf(fit, request);
     return {FragilityState::fitted, std::move(fit)};
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "stats/detail/few_capacities.hpp"
 #include "stats/detail/profile_likelihood.hpp"
 #include "stats/fragility.hpp"
 #include "stats/scores.hpp"
@@ -16,9 +17,13 @@ struct CurveFit {
     ProfileLikelihood likelihood;  ///< of the points that were fitted, which outlive it
     Bootstrap refits;
     FragilityFit::Intervals profile, bootstrap;
+    /// By so many exact capacities, where waves are few.
+    std::optional<FewCapacities> few = {};
+    FragilityFit::Intervals of_few = {};
+    double resampled_confidence = 0.95;  ///< at which resamples are read for the stated one (stats/bootstrap.hpp)
 
     [[nodiscard]] FragilityFit::Intervals ends(FragilityFit::Method method) const;
-    [[nodiscard]] Interval probability(double intensity, FragilityFit::Method method, double confidence) const;
+    [[nodiscard]] Interval probability(double intensity, FragilityFit::Method method) const;
 };
 
 struct CurveAttempt {

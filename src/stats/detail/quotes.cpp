@@ -141,7 +141,7 @@ void quote_curve(QuotedProbability& quoted, FragilityFit const& fit, FragilityDa
         quoted.bounds = {0, from ? from->probability.upper : 1};
     } else if (quoted.source == QuotedProbability::Source::none) {
         quoted.source = QuotedProbability::Source::curve;
-        quoted.bounds = curve.probability(at, fit.method, confidence);
+        quoted.bounds = curve.probability(at, fit.method);
     }
 }
 
