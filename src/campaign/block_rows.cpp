@@ -18,7 +18,7 @@ template <class Row> void take(std::span<std::byte const>& bytes, std::vector<Ro
     rows.resize(count);
     auto const size = rows.size() * sizeof(Row);
     if (bytes.size() < size) {
-        throw SystemError("a block of results is too short (written by another version?). Start anew without --resume");
+        throw SystemError("a block of results is too short (written by another version?). Start anew with another -o");
     }
     if (size > 0) {
         std::memcpy(rows.data(), bytes.data(), size);
@@ -123,7 +123,7 @@ BlockRows BlockRows::unpack(std::span<std::byte const> bytes, Plan const& plan, 
     take(bytes, rows.trials.rows, waves * plan.trials_per_wave());
     take(bytes, rows.trials.extra, waves * plan.trials_per_wave() * plan.extra_bytes());
     if (!bytes.empty()) {
-        throw SystemError("a block of results is too long (written by another version?). Start anew without --resume");
+        throw SystemError("a block of results is too long (written by another version?). Start anew with another -o");
     }
     return rows;
 }

@@ -2,9 +2,12 @@
 
 #include <memory>
 
+#include <fmt/format.h>
+
 #include "cli/collective.hpp"
 #include "cli/text_choice.hpp"
 #include "cli/verbs.hpp"
+#include "core/next_step.hpp"
 
 namespace overturn::cli {
 
@@ -17,6 +20,8 @@ void add_merge(CommandLine& line) {
     packing->offered_by(verb);
     text->offered_by(verb);
     verb.does([path, text, packing] {
+        NextStep const next(
+            fmt::format("merge again: all blocks are kept in {}.parts (to merge elsewhere, move it there)", *path));
         return on_all_ranks([&](parallel::Communicator const& comm) {
             return merge_parts(*path, comm, {packing->layout(), text->options()}) == MergeEnd::complete ? done
                                                                                                         : resumable;

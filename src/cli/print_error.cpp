@@ -14,6 +14,7 @@
 #include "cli/command_line.hpp"
 #include "config/faults.hpp"
 #include "core/error.hpp"
+#include "core/next_step.hpp"
 #include "core/print_note.hpp"
 #include "core/text_width.hpp"
 
@@ -66,8 +67,9 @@ Failure current_failure() {
                 bad_input};
     } catch (std::bad_alloc const&) {
         return {
-            "out of memory (a limit of the batch system or of ulimit -v, or too many ranks on a node?). Allow more, "
-            "or start fewer ranks a node; what is finished is kept, go on with --resume",
+            fmt::format("out of memory (a limit of the batch system or of ulimit -v, or too many ranks on a node?). "
+                        "Allow more, or start fewer ranks a node, then {}",
+                        next_step()),
             other_failure};
     } catch (std::exception const& error) {
         return {error.what(), other_failure};

@@ -14,6 +14,7 @@
 #include "cli/verbs.hpp"
 #include "cli/walltime.hpp"
 #include "core/error.hpp"
+#include "core/next_step.hpp"
 #include "core/print_note.hpp"
 #include "runner/progress.hpp"
 #include "runner/root_broadcast.hpp"
@@ -138,6 +139,7 @@ void add_run(CommandLine& line) {
         if (options->progress) {
             tell_as_json();
         }
+        NextStep const next(options->extend ? "go on with --extend" : "go on with --resume");
         stop_on_signals();  // what came earlier, or comes while MPI starts or records are read, is not lost
         return on_all_ranks([&](auto const& comm) { return run(*options, comm); });
     });

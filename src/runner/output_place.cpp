@@ -237,7 +237,7 @@ void require_shared(store::ShardFolder const& shards, std::string const& key, pa
     comm.broadcast(blind);
     throw InputError(
         fmt::format("{} (not seen from {}: every rank writes its own blocks). Choose an output that all "
-                    "nodes share with -o",
+                    "nodes share",
                     shards.folder().string(), blind));
 }
 

@@ -65,9 +65,8 @@ BlockLock::BlockLock(std::filesystem::path const& folder, BlockRange blocks) {
             int const reason = errno;
             if (reason == EAGAIN || reason == EACCES) {
                 ::close(fd_);
-                throw InputError(
-                    fmt::format("{} (another run is writing there now). Wait for it, or choose another place with -o",
-                                folder.string()));
+                throw InputError(fmt::format(
+                    "{} (another run is writing there now). Wait for it, or choose another place", folder.string()));
             }
             print_note("{}: cannot be locked ({}): see to it that no other run writes there\n", folder.string(),
                        std::strerror(reason));

@@ -14,28 +14,35 @@
 #include <unistd.h>
 
 #include "core/error.hpp"
+#include "core/next_step.hpp"
 #include "core/regular_file.hpp"
 
 namespace overturn::store {
 
-char const* advice_on_disk(int reason) {
+namespace {
+
+char const* remedy_of(int reason) {
     switch (reason) {
         case ENOSPC:
         case EDQUOT:
         case EFBIG:
-            return "Free space or choose another place, then go on with --resume";
+            return "Free space or choose another place";
         case ENOENT:
         case ENOTDIR:
         case ESTALE:
-            return "Bring the folder back, then go on with --resume";
+            return "Bring the folder back";
         case EROFS:
         case EACCES:
         case EPERM:
-            return "Make it writable, then go on with --resume";
+            return "Make it writable";
         default:
-            return "Check the disk, then go on with --resume";
+            return "Check the disk";
     }
 }
+
+}  // namespace
+
+std::string advice_on_disk(int reason) { return fmt::format("{}, then {}", remedy_of(reason), next_step()); }
 
 namespace {
 

@@ -7,8 +7,8 @@
 
 namespace overturn::store {
 
-/// Advice for a disk that gave an error while results were written. \param reason errno
-[[nodiscard]] char const* advice_on_disk(int reason);
+/// Advice for a disk that gave an error while results were written; next_step() is its end. \param reason errno
+[[nodiscard]] std::string advice_on_disk(int reason);
 
 /// Forces a written file to disk. \throws SystemError
 void make_durable(std::filesystem::path const& path);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/next_step.hpp"
 #include "store/detail/shard_files.hpp"
 #include "store/durable.hpp"
 #include "store/sha256.hpp"
@@ -33,8 +34,8 @@ void move(fs::path const& from, fs::path const& to) {
     std::error_code error;
     fs::rename(from, to, error);
     if (error) {
-        throw SystemError(fmt::format("cannot move {} to {} ({}). Make both writable, then go on with --resume",
-                                      from.string(), to.string(), error.message()));
+        throw SystemError(fmt::format("cannot move {} to {} ({}). Make both writable, then {}", from.string(),
+                                      to.string(), error.message(), next_step()));
     }
 }
 
@@ -48,7 +49,7 @@ std::string shard_text(std::string const& campaign, std::int64_t block, std::spa
     return text;
 }
 
-[[noreturn]] void cannot_make(fs::path const& folder, std::error_code const& error, char const* advice) {
+[[noreturn]] void cannot_make(fs::path const& folder, std::error_code const& error, std::string const& advice) {
     throw SystemError(fmt::format("cannot make {} ({}). {}", folder.string(), error.message(), advice));
 }
 
@@ -102,7 +103,7 @@ void ShardFolder::make_group_of(fs::path const& file) const {
     std::error_code error;
     fs::create_directory(group, error);
     if (error) {
-        cannot_make(group, error, "Bring the folder back or free space, then go on with --resume");
+        cannot_make(group, error, "Bring the folder back or free space, then " + next_step());
     }
     make_durable(folder_);
     safe_group_ = group;
@@ -130,7 +131,7 @@ ShardFolder::Block ShardFolder::look_into(std::int64_t block) const {
     auto const text = read_file(path);
     auto const head = fmt::format("{}{}\n{}\n", magic, campaign_, block);
     auto const refused = [&](Content content, char const* why) {
-        return Block{content, fmt::format("{}: {}. With --resume it is computed again", path.string(), why), {}};
+        return Block{content, fmt::format("{}: {}. overturn run --resume computes it again", path.string(), why), {}};
     };
     if (text.size() < head.size() + hash_length || !text.starts_with(magic)) {
         return refused(Content::damaged, "not a whole block (truncated or foreign)");
@@ -183,8 +184,9 @@ std::vector<std::int64_t> ShardFolder::committed(BlockRange range, std::vector<s
             if (found.content != Content::ours) {
                 notes.push_back(found.problem);
             } else if (bytes && found.rows.size() != bytes(block)) {
-                notes.push_back(fmt::format("{}: {} bytes of rows (must be {}). With --resume it is computed again",
-                                            file_of(block).string(), found.rows.size(), bytes(block)));
+                notes.push_back(
+                    fmt::format("{}: {} bytes of rows (must be {}). overturn run --resume computes it again",
+                                file_of(block).string(), found.rows.size(), bytes(block)));
             } else {
                 sound.push_back(block);
             }

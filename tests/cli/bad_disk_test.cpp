@@ -85,6 +85,24 @@ TEST_F(BadDisk, UnderMpiOneRankSpeaks) {
     expect_resumed();
 }
 
+/// Merge knows no --resume.
+TEST_F(BadDisk, UnderMergeTheAdviceIsToMergeAgain) {
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "c.h5", "--leave-blocks"}).code, 0);
+    Trouble const trouble{"write", ENOSPC,
+                          "Free space or choose another place, then merge again: all blocks are kept in c.h5.parts "
+                          "(to merge elsewhere, move it there)"};
+    for (auto const& command :
+         {std::vector<std::string>{OVERTURN_PROGRAM, "merge", "c.h5"}, mpirun(2, {"merge", "c.h5"})}) {
+        auto const ended = run(trouble, 0, command);
+        expect_one_error(ended, trouble);
+        EXPECT_EQ(ended.err.find("--resume"), std::string::npos) << ended.err;
+    }
+    std::filesystem::create_directory(folder / "elsewhere");
+    std::filesystem::rename(folder / "c.h5.parts", folder / "elsewhere/c.h5.parts");
+    EXPECT_EQ(overturn(folder, {"merge", "elsewhere/c.h5"}).code, 0);
+    EXPECT_TRUE(folder.read("elsewhere/c.h5") == folder.read("unbroken.h5"));
+}
+
 TEST_F(BadDisk, SlowIsNoTrouble) {
     auto const ended = run({"fsync", 0, ""}, 0, {OVERTURN_PROGRAM, "run", "c.toml", "-o", "c.h5"});
     EXPECT_EQ(ended.code, 0) << ended.err;

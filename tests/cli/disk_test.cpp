@@ -86,7 +86,9 @@ TEST_F(DiskTrouble, FullWhileMerging) {
     auto const space = std::filesystem::space(folder / "disk");
     disk.resize(std::to_string(space.capacity - space.free + 300'000));
 
-    expect_one_error(overturn(folder, {"merge", "disk/c.h5"}), "No space left on device");
+    auto const merged = overturn(folder, {"merge", "disk/c.h5"});
+    expect_one_error(merged, "No space left on device). Free space or choose another place, then merge again");
+    EXPECT_EQ(merged.err.find("--resume"), std::string::npos) << merged.err;
     expect_one_error(execute(folder, mpirun(2, {"run", "c.toml", "-o", "disk/c.h5", "--resume"})),
                      "No space left on device");
     EXPECT_FALSE(folder.has("disk/c.h5"));

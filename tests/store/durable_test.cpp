@@ -1,6 +1,10 @@
 // Requirement R-1101, R-1105: a file is there whole or not at all, and what stands in the way is said in one line.
 #include "store/durable.hpp"
 
+#include <cerrno>
+
+#include "core/next_step.hpp"
+
 #include "support/expect_input_error.hpp"
 #include "support/expect_system_error.hpp"
 #include "support/full_disk.hpp"
@@ -72,6 +76,18 @@ TEST(Durable, FullDiskLeavesTheOldContent) {
     }
     EXPECT_EQ(slurp(folder / "file"), "old");
     EXPECT_EQ(files_in(folder), 1U);
+}
+
+/// Only the verb knows what comes after the remedy.
+TEST(Durable, AdviceEndsWithTheNextStep) {
+    EXPECT_EQ(advice_on_disk(ENOSPC), "Free space or choose another place, then repeat the command");
+    {
+        NextStep const outer("go on with --resume");
+        EXPECT_EQ(advice_on_disk(EIO), "Check the disk, then go on with --resume");
+        NextStep const inner("merge again");
+        EXPECT_EQ(advice_on_disk(EROFS), "Make it writable, then merge again");
+    }
+    EXPECT_EQ(advice_on_disk(ENOENT), "Bring the folder back, then repeat the command");
 }
 
 TEST(Durable, ProbeLeavesNothingBehind) {

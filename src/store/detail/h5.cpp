@@ -9,6 +9,7 @@
 #include <sys/mman.h>
 
 #include "core/error.hpp"
+#include "core/next_step.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::store {
@@ -36,8 +37,9 @@ std::string error_of_system(std::string const& what, std::string const& reason) 
     auto const place = end == std::string::npos
                            ? std::string()
                            : " in " + reason.substr(name + name_mark.size(), end - name - name_mark.size());
+    bool const reads = reason.starts_with("file read failed");
     return fmt::format("HDF5: cannot {}{} ({}). {}", what, place, std::strerror(number),
-                       reason.starts_with("file read failed") ? "Check the disk and retry" : advice_on_disk(number));
+                       reads ? "Check the disk, then " + next_step() : advice_on_disk(number));
 }
 
 Datatype fixed_text(std::size_t length) {

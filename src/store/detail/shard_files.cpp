@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/next_step.hpp"
 #include "store/durable.hpp"
 #include "store/shards.hpp"
 
@@ -35,8 +36,8 @@ void each_in(fs::path const& folder, std::int64_t group, std::function<void(Shar
         look({at->path(), at->path().filename().string(), group});
     }
     if (error && error != std::errc::no_such_file_or_directory && error != std::errc::not_a_directory) {
-        throw SystemError(fmt::format("{}: cannot be listed ({}). Make it readable, then go on with --resume",
-                                      folder.string(), error.message()));
+        throw SystemError(fmt::format("{}: cannot be listed ({}). Make it readable, then {}", folder.string(),
+                                      error.message(), next_step()));
     }
 }
 
