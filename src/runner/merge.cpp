@@ -219,7 +219,14 @@ MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator
         }
         return tables ? MergeEnd::complete : MergeEnd::missing;
     };
-    auto const sound = [&] { return sound_blocks(shards, whole, {0, whole.blocks()}); };
+    // Looked for once, on rank 0: what is not sound is said by that.
+    std::optional<std::vector<std::int64_t>> found_sound;
+    auto const sound = [&] {
+        if (!found_sound) {
+            found_sound = sound_blocks(shards, whole, {0, whole.blocks()});
+        }
+        return *found_sound;
+    };
     // Merging checks every block that it reads: only where one is not sound are all of them read to name the others.
     std::vector<std::int64_t> by_name;
     auto const all = broadcast_from_root(comm, [&] {

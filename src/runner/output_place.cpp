@@ -18,6 +18,7 @@
 #include "runner/detail/extension.hpp"
 #include "runner/root_broadcast.hpp"
 #include "store/durable.hpp"
+#include "store/kept_blocks.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn {
@@ -189,13 +190,23 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
 OutputState lock_output(std::filesystem::path const& output, store::ShardFolder const& shards,
                         CampaignInput const& input, Plan const& plan, OutputRequest const& request,
                         std::optional<store::BlockLock>& lock) {
-    validate(!std::filesystem::is_directory(output), "output {} (is a folder). Name a file with -o", output.string());
+    validate(!std::filesystem::is_directory(output), "output {} (is a folder). {}", output.string(),
+             store::advice_beside_blocks(output, "Name a file with -o"));
     validate(!std::filesystem::exists(output) || std::filesystem::is_regular_file(output),
-             "output {} (is no file that could hold results). Name another with -o", output.string());
+             "output {} (is no file that could hold results). {}", output.string(),
+             store::advice_beside_blocks(output, "Name another with -o"));
     bool const extends = request.extend && can_be_extended(output, input) && !is_same_campaign(output, input);
     auto const refuse_taken = [&] {
-        validate(request.resume || !std::filesystem::exists(output),
-                 "output {} (exists already and would be lost). Remove it, or name another with -o", output.string());
+        if (request.resume || !std::filesystem::exists(output)) {
+            return;
+        }
+        auto const blocks = store::blocks_beside(output);
+        validate(blocks == 0,
+                 "output {} (exists already and would be lost; beside it {}.parts holds {} finished blocks of a run). "
+                 "See overturn status {}, or name another with -o",
+                 output.string(), output.string(), blocks, output.string());
+        throw InputError(fmt::format("output {} (exists already and would be lost). Remove it, or name another with -o",
+                                     output.string()));
     };
     refuse_taken();
     if (extends || !std::filesystem::exists(output)) {

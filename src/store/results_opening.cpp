@@ -12,6 +12,7 @@
 #include "store/detail/objects.hpp"
 #include "store/detail/opened_file.hpp"
 #include "store/format_versions.hpp"
+#include "store/kept_blocks.hpp"
 #include "store/sha256.hpp"
 
 namespace overturn::store {
@@ -47,10 +48,16 @@ void require_readable(std::filesystem::path const& path) {
     validate(!written, "{}: another program has it open for writing (h5py?). Close it there", path.string());
 }
 
+// Of a file that holds no results of ours.
+void require_results(bool holds, std::filesystem::path const& path, std::string_view problem, std::string_view advice) {
+    if (!holds) {
+        throw InputError(fmt::format("{}: {}. {}", path.string(), problem, advice_beside_blocks(path, advice)));
+    }
+}
+
 std::string damaged(std::filesystem::path const& path, std::string const& why) {
-    return fmt::format(
-        "{}: damaged or edited ({}). Restore it or run the campaign again; to read it as it is, add --unverified",
-        path.string(), why);
+    return fmt::format("{}: damaged or edited ({}). {}; to read it as it is, add --unverified", path.string(), why,
+                       advice_beside_blocks(path, "Restore it or run the campaign again"));
 }
 
 }  // namespace
@@ -64,8 +71,8 @@ ResultsReader::ResultsReader(std::filesystem::path const& path, Trust trust, std
              path.string(), parts, path.string(), path.string());
     validate(std::filesystem::exists(path), "{}: no such file (nothing to read). Check the name", path.string());
     auto const no_file = what_is_no_file(path);
-    validate(no_file.empty(), "{}: not an HDF5 file (nor any file: {}). Give a results file of overturn run",
-             path.string(), no_file);
+    require_results(no_file.empty(), path, fmt::format("not an HDF5 file (nor any file: {})", no_file),
+                    "Give a results file of overturn run");
     require_readable(path);
     require_memory_for_hdf5();
     if (auto const seal = trust == Trust::sealed ? seal_of(path) : Seal::intact; seal != Seal::intact) {
@@ -86,12 +93,12 @@ void ResultsReader::open(std::string_view format) {
     checked(H5PLset_loading_state(0), "leave plugins out");
     auto const id = H5Fopen(path_.c_str(), H5F_ACC_RDONLY, access.id());
     auto const path = path_.string();
-    validate(id >= 0, "{}: not an HDF5 file (or damaged). Give a results file of overturn run", path);
+    require_results(id >= 0, path_, "not an HDF5 file (or damaged)", "Give a results file of overturn run");
     opened_->file = File(id);
-    validate(is_ours(opened_->file, format),
-             "{}: not a results file (its format is not '{}'). Give a file of overturn run", path, format);
+    require_results(is_ours(opened_->file, format), path_,
+                    fmt::format("not a results file (its format is not '{}')", format), "Give a file of overturn run");
     auto const version = version_of(opened_->file);
-    validate(version >= 1, "{}: damaged (no format version). Give a whole file of overturn run", path);
+    require_results(version >= 1, path_, "damaged (no format version)", "Give a whole file of overturn run");
     validate(format != format_name || version <= format_version,
              "{}: format version {} (this program knows up to {}). Use a newer overturn", path, version,
              format_version);

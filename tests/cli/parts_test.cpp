@@ -10,6 +10,14 @@
 namespace overturn::testing {
 namespace {
 
+int times(std::string const& text, std::string const& part) {
+    int count = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + part.size())) {
+        ++count;
+    }
+    return count;
+}
+
 class Parts : public ::testing::Test {
   protected:
     Parts() {
@@ -86,7 +94,7 @@ TEST_F(Parts, AreMergedBySeveralRanks) {
     folder.write("c.h5.parts/0000000004.block", damaged);
     auto const refused = merge_on(3);
     EXPECT_EQ(refused.code, 3);
-    EXPECT_NE(refused.err.find("0000000004.block: damaged"), std::string::npos) << refused.err;
+    EXPECT_EQ(times(refused.err, "0000000004.block: damaged"), 1) << refused.err;
     EXPECT_NE(refused.err.find("waves 4 to 4 are missing"), std::string::npos) << refused.err;
     EXPECT_FALSE(folder.has("c.h5"));
     EXPECT_FALSE(folder.has("c.h5.merging"));
@@ -166,13 +174,56 @@ TEST_F(Parts, DamagedBlockIsComputedAgain) {
 
     auto const refused = merge();
     EXPECT_EQ(refused.code, 3);
-    EXPECT_NE(refused.err.find("0000000004.block: damaged"), std::string::npos) << refused.err;
-    EXPECT_NE(refused.err.find("notes.block: not a block of this run"), std::string::npos) << refused.err;
+    EXPECT_EQ(times(refused.err, "0000000004.block: damaged"), 1) << refused.err;
+    EXPECT_EQ(times(refused.err, "notes.block: not a block of this run"), 1) << refused.err;
     EXPECT_NE(refused.err.find("waves 4 to 4 are missing"), std::string::npos) << refused.err;
 
     expect_part_done(part("1/2", {"--resume"}));
     EXPECT_EQ(merge().code, 0);
     EXPECT_EQ(folder.read("c.h5.parts/notes.block"), "shopping list");
+    expect_as_one_run();
+}
+
+// R-1105: whatever came to lie at the output, the blocks beside it are kept, and every verb says what to do.
+TEST_F(Parts, AreKeptBesideAFileThatIsNoneOfTheirs) {
+    expect_part_done(part("1/2"));
+    expect_part_done(part("2/2"));
+    auto const whole = [&] {
+        auto const one = overturn(folder, {"run", "c.toml", "-o", "one.h5"});
+        EXPECT_EQ(one.code, 0) << one.err;
+        return folder.read("one.h5");
+    }();
+    std::string const advice =
+        "Move it away, then overturn merge c.h5 or overturn run --resume: the finished blocks in c.h5.parts are kept "
+        "(21)";
+    for (auto const& content : {std::string("garbage\n"), std::string(), whole.substr(0, whole.size() / 2)}) {
+        folder.write("c.h5", content);
+        for (auto const& ended :
+             {overturn(folder, {"run", "c.toml", "--resume"}), merge(), execute(folder, mpirun(2, {"merge", "c.h5"})),
+              overturn(folder, {"status", "c.h5"}), overturn(folder, {"fit", "c.h5"})}) {
+            EXPECT_EQ(ended.code, 2) << ended.out;
+            EXPECT_TRUE(is_one_error_line(ended.err));
+            EXPECT_NE(ended.err.find("c.h5: not an HDF5 file"), std::string::npos) << ended.err;
+            EXPECT_NE(ended.err.find(advice), std::string::npos) << ended.err;
+        }
+        auto const plain = overturn(folder, {"run", "c.toml"});
+        EXPECT_TRUE(is_one_error_line(plain.err));
+        EXPECT_NE(plain.err.find("c.h5.parts holds 21 finished blocks of a run). See overturn status c.h5"),
+                  std::string::npos)
+            << plain.err;
+        EXPECT_EQ(folder.read("c.h5"), content);
+    }
+    std::filesystem::remove(folder / "c.h5");
+    std::filesystem::create_directory(folder / "c.h5");
+    for (auto const& ended : {overturn(folder, {"run", "c.toml", "--resume"}), merge()}) {
+        EXPECT_TRUE(is_one_error_line(ended.err));
+        EXPECT_NE(ended.err.find(advice), std::string::npos) << ended.err;
+    }
+    EXPECT_EQ(blocks_done(folder, "c.h5"), 21);
+
+    std::filesystem::rename(folder / "c.h5", folder / "away");
+    std::filesystem::remove(folder / "one.h5");
+    EXPECT_EQ(merge().code, 0);
     expect_as_one_run();
 }
 
