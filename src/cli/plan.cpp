@@ -207,8 +207,8 @@ ProbedCost print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
         !text.empty()) {
         print_entry("accepted", text);
     }
-    if (full) {
-        print_entry("models", output::model_costs(cost.models));
+    if (auto const costs = output::model_costs(cost.models); full && !costs.empty()) {
+        print_entry("models", costs);
     }
     return cost;
 }

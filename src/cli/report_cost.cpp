@@ -29,7 +29,9 @@ Json cost_lines(Json const& runtime, fs::path const& path) {
     for (auto const& rank : runtime.at("ranks")) {
         ranks.push_back(rank.dump());
     }
-    lines.push_back(output::model_costs(sum_of_models(ranks)));
+    if (auto const costs = output::model_costs(sum_of_models(ranks)); !costs.empty()) {
+        lines.push_back(costs);
+    }
     return lines;
 }
 

@@ -248,7 +248,9 @@ class Run {
     void account() {
         auto const ranks = comm_.gather(seconds_text(comm_, done_.seconds));
         if (comm_.is_root()) {
-            print_note("cost: {}\n", output::model_costs(sum_of_models(ranks)));
+            if (auto const costs = output::model_costs(sum_of_models(ranks)); !costs.empty()) {
+                print_note("cost: {}\n", costs);
+            }
             print_segments(
                 segment_text(options_.part, ranks, wall_s_, done_.committed * plan_.trials() / plan_.blocks()));
         }

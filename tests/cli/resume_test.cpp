@@ -123,6 +123,18 @@ TEST_F(Resume, RefusesAnotherCampaign) {
     EXPECT_NE(file.err.find("target.csv changed"), std::string::npos) << file.err;
 }
 
+/// Where all blocks were computed before, no model has cost anything.
+TEST_F(Resume, OfBlocksThatAreAllDoneNamesNoCost) {
+    folder.write("c.toml", small_campaign("shared", 3));
+    auto const first = overturn(folder, {"run", "c.toml", "--leave-blocks"});
+    ASSERT_EQ(first.code, 0) << first.err;
+    EXPECT_NE(first.err.find("cost: "), std::string::npos) << first.err;
+
+    auto const rest = overturn(folder, {"run", "c.toml", "--resume"});
+    EXPECT_EQ(rest.code, 0) << rest.err;
+    EXPECT_EQ(rest.err.find("cost:"), std::string::npos) << rest.err;
+}
+
 TEST_F(Resume, OfAFinishedRunDoesNothing) {
     folder.write("c.toml", small_campaign("shared", 1));
     ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
