@@ -12,8 +12,10 @@ namespace overturn::cli {
 /// Checks --beta-u and --confidence (none: the campaign's). \throws InputError
 inline void check_fit_options(std::optional<double> beta_u, std::optional<double> confidence) {
     if (beta_u) {
-        validate(*beta_u >= 0 && std::isfinite(*beta_u),
-                 "--beta-u: {} (must be 0 or above). It is a lognormal standard deviation", *beta_u);
+        validate(*beta_u > 0 && std::isfinite(*beta_u),
+                 "--beta-u: {} (must be above 0, as statistics.beta_u). It is a lognormal standard deviation; leave "
+                 "it out if it is not known",
+                 *beta_u);
         output::check_spread("--beta-u", *beta_u);
     }
     validate(!confidence || (*confidence > 0 && *confidence < 1),

@@ -351,7 +351,21 @@ TEST_F(Fit, TakesBetaUOfTheCampaign) {
     EXPECT_EQ(by_key, curves({"c.h5", "--beta-u", "0.3"}));
     EXPECT_TRUE(std::ranges::any_of(by_key, [](json const& curve) { return curve.at("hclpf").is_number(); }));
     EXPECT_EQ(curves({"u.h5", "--beta-u", "0.2"}), curves({"c.h5", "--beta-u", "0.2"}));
-    EXPECT_EQ(curves({"u.h5", "--beta-u", "0"}), curves({"c.h5"}));
+    for (std::string const none : {"0", "-0", "-0.3", "nan", "inf"}) {
+        folder.write("none.toml", campaign + "[statistics]\nbeta_u=" + none + "\n");
+        for (auto const& ended :
+             {overturn(folder, {"fit", "u.h5", "--beta-u=" + none}),
+              overturn(folder, {"fit", "c.h5", "--beta-u=" + none}),
+              overturn(folder, {"report", "c.h5", "-o", "page.html", "--beta-u=" + none}),
+              overturn(folder, {"fit", "--median", "0.9 g", "--beta", "0.4", "--beta-u=" + none})}) {
+            EXPECT_EQ(ended.code, 2) << none << ": " << ended.out;
+            EXPECT_TRUE(is_one_error_line(ended.err)) << none;
+            EXPECT_NE(ended.err.find("must be above 0, as statistics.beta_u"), std::string::npos) << ended.err;
+        }
+        auto const key = overturn(folder, {"run", "none.toml"});
+        EXPECT_EQ(key.code, 2) << none;
+        EXPECT_NE(key.err.find("statistics.beta_u"), std::string::npos) << key.err;
+    }
     auto const other = overturn(folder, {"fit", "u.h5", "--beta-u", "0.2"}).out;
     EXPECT_NE(other.find("; by beta_U 0.2\n"), std::string::npos) << other;
     EXPECT_EQ(store::ResultsReader(folder / "u.h5").reals("trials/peak_rotation"),
