@@ -39,25 +39,27 @@ class SheetMaker {
           too_few_(!no_probability_text(of).empty()) {}
 
     [[nodiscard]] AnswerSheet sheet() {
-        sheet_.title = title();
         sheet_.head = {of_.spec.levels.measure_label(), ""};
         for (auto const l : levels_) {
             sheet_.head.push_back(heading(of_.spec.levels, l));
         }
         add_rows();
+        sheet_.title = title();
         add_numerical_error();
         sheet_.dependence = dependence();
         return std::move(sheet_);
     }
 
   private:
+    // Of the rows that were added.
     [[nodiscard]] std::string title() const {
         if (too_few_) {
             return no_probability_text(of_) + "; each record has its rows below";
         }
         auto const waves = waves_text(of_.statistics.waves(), of_.spec.source->about().acceptance, of_.confidence);
-        return fmt::format("{}; {:g} % intervals; slip and tilt: median / 95th percentile (<= its upper end)",
-                           waves.empty() ? count_text(of_.statistics.waves().waves) : waves, 100 * of_.confidence);
+        return fmt::format("{}; {:g} % intervals{}",
+                           waves.empty() ? count_text(of_.statistics.waves().waves) : waves, 100 * of_.confidence,
+                           shows_responses_ ? "; slip and tilt: median / 95th percentile (<= its upper end)" : "");
     }
 
     // "600 gal = design", "900 gal = 1.5 x"
@@ -186,6 +188,7 @@ class SheetMaker {
     }
 
     void add_responses(std::size_t b) {
+        shows_responses_ = true;
         auto const& body = of_.analysis[b];
         auto const percentiles = [&](char const* quantity, double unit, double least) {
             return [=, &body](std::size_t l) { return percentiles_text(quantiles_at(body, quantity, l), unit, least); };
@@ -245,6 +248,7 @@ class SheetMaker {
     std::size_t most_rows_, parts_;
     std::vector<std::size_t> levels_;
     bool too_few_;  // records, for probabilities
+    bool shows_responses_ = false;
     AnswerSheet sheet_;
 };
 

@@ -212,6 +212,7 @@ TEST_F(RecordsOnTheLine, OfFewerThanFiveThereIsNoProbability) {
     auto const five = overturn(folder, {"run", "five.toml"});
     EXPECT_NE(five.out.find(" P(overturn) "), std::string::npos) << five.out << five.err;
     EXPECT_EQ(five.out.find("no probability"), std::string::npos) << five.out;
+    EXPECT_TRUE(five.out.starts_with("5 waves; 95 % intervals\n")) << "slip and tilt are rows of records\n" << five.out;
     EXPECT_TRUE(json::parse(overturn(folder, {"fit", "five.h5", "--json"}).out)
                     .at("answer")
                     .at(0)

@@ -115,6 +115,10 @@ TEST(Answer, FitsAScreen) {
             for (auto const& line : lines) {
                 EXPECT_LE(line.size(), 100) << line;
             }
+            EXPECT_EQ(answer.find("slip and tilt: median") != std::string::npos,
+                      answer.find(" slip [mm]") != std::string::npos)
+                << "a heading only of rows that follow\n"
+                << answer;
         }
         EXPECT_EQ(made.text().find("more bodies, with lower P") != std::string::npos, bodies > 12) << made.text();
     }
