@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "campaign/detail/unused_inputs.hpp"
+
 namespace overturn {
 namespace {
 
@@ -50,7 +52,7 @@ bool is_outranked(config::InputValue const& value, std::span<config::InputValue 
 std::vector<config::InputValue> physical_inputs(CampaignSpec const& spec) {
     std::vector<config::InputValue> inputs;
     std::ranges::copy_if(spec.inputs, std::back_inserter(inputs), [&](config::InputValue const& value) {
-        return is_physical(value.key) && !is_outranked(value, spec.inputs);
+        return is_physical(value.key) && !is_outranked(value, spec.inputs) && !is_unused(value, spec);
     });
     return inputs;
 }

@@ -16,7 +16,8 @@ namespace overturn {
 inline constexpr std::string_view beta_u_key = "statistics.beta_u";
 
 /// The inputs of [waves], [[bodies]] and [levels], and beta_U, that stand for something: no names, no files, no choices
-/// of how much is computed, no key of a body's file that one beside the file outranks.
+/// of how much is computed, no key of a body's file that one beside the file outranks, none that no model reads which
+/// the campaign may run.
 [[nodiscard]] std::vector<config::InputValue> physical_inputs(CampaignSpec const& spec);
 
 /// Number of inputs by their basis.

@@ -203,9 +203,14 @@ void write_body(StudyText& out, StudyAnswers const& a, char const* name, char co
                : out.assume("friction", assumed_friction,
                             "two bodies with friction 0.2 and 0.8, because none was given: steel on concrete lies "
                             "between (NUREG/CR-6865, quoted from other papers)");
-    a.restitution ? out.state("restitution", as_value(*a.restitution))
-                  : out.assume("restitution", "\"housner\"",
-                               "restitution of a rigid block (Housner 1963), because none was given");
+    if (a.restitution) {
+        out.state("restitution", as_value(*a.restitution));
+    } else if (a.base_shape == "round") {
+        out.leave_out("restitution = 0.9",
+                      "the restitution that rim and pad give of themselves, because none was given");
+    } else {
+        out.assume("restitution", "\"housner\"", "restitution of a rigid block (Housner 1963), because none was given");
+    }
     a.base_shape
         ? out.state("base", fmt::format("{{shape = {}}}", quoted(*a.base_shape)))
         : out.leave_out("base = {shape = \"round\"}", "a square base on rigid corners, because no shape was given");

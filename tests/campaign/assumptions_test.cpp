@@ -89,6 +89,44 @@ TEST(Assumptions, WhatIsOutrankedIsNoInput) {
               "restitution=0.76\npad.vertical_frequency=49 Hz\npad.strength=30 MPa\naxes=1\nfriction=0.5\n");
 }
 
+// A value that no model reads which may run moves nothing: it is no input.
+TEST(Assumptions, WhatNoModelReadsIsNoInput) {
+    auto const counted = [](std::string const& body, std::string const& key, std::string const& more = "") {
+        auto const inputs = physical_inputs(campaign_from(more + quick_waves + type_b + body + levels));
+        return std::ranges::any_of(
+            inputs, [&](config::InputValue const& input) { return input.key.starts_with("bodies[0]." + key); });
+    };
+    std::string const stated = "restitution={value=0.9, basis='assumed'}\n";
+    std::string const round = "base={shape='round'}\n";
+    EXPECT_TRUE(counted(stated, "restitution"));
+    EXPECT_TRUE(counted(stated + "base={bedding='flat'}\n", "restitution")) << "matched";
+    std::string const housner = "restitution={value='housner', basis='assumed'}\n";
+    EXPECT_TRUE(counted(housner, "restitution"));
+    EXPECT_FALSE(counted(housner + round, "restitution")) << "a rim has its own";
+    EXPECT_FALSE(counted(housner + "base={bedding='flat'}\n", "restitution")) << "and a bed";
+    EXPECT_FALSE(counted(stated + "base={bedding='flat'}\npad={match_restitution=false}\n", "restitution"));
+    EXPECT_TRUE(counted("pad={match_restitution=false}\n" + stated, "restitution"))
+        << "on corners most trials are rigid";
+    EXPECT_FALSE(counted("pad={match_restitution=false}\n" + stated, "restitution", "effects={include=['contact']}\n"));
+    EXPECT_TRUE(counted(stated + "base={bedding='flat'}\npad={match_restitution=false}\n", "restitution",
+                        "effects={mode='none'}\n"))
+        << "then it is a block on corners";
+
+    EXPECT_TRUE(counted(round, "base"));
+    EXPECT_TRUE(counted("pad={vertical_frequency='67 Hz'}\n", "pad"));
+    EXPECT_FALSE(counted("pad={vertical_frequency='67 Hz'}\n", "pad", "effects={include=['vertical']}\n"));
+
+    std::string const friction = "friction={static=0.7, kinetic=0.6}\n";
+    EXPECT_TRUE(counted(friction, "friction.static"));
+    EXPECT_FALSE(counted(friction + round, "friction.static")) << "points and rims grip by the kinetic one";
+    EXPECT_TRUE(counted(friction + round, "friction.kinetic"));
+    EXPECT_TRUE(counted("friction={static=0.7, kinetic_ratio=0.8}\n" + round, "friction.static"));
+    EXPECT_FALSE(counted(friction, "friction", "effects={mode='none'}\n"));
+
+    EXPECT_FALSE(counted("inertia_y='9 t m2'\n", "inertia_y")) << "shaken in one plane";
+    EXPECT_TRUE(counted("inertia_y='9 t m2'\n" + round, "inertia_y"));
+}
+
 Bears bears(char const* name, std::string const& text) {
     auto const spec = campaign_from(text);
     for (auto const& one : model_assumptions()) {
