@@ -13,7 +13,7 @@ DIRECTIONS = {"unsafe": "more bodies overturn than computed", "safe": "fewer bod
               "unknown": "the direction of the error is not known"}
 ENTRY = re.compile(r"  (\S.*)")
 # Lists of `overturn list` beside the measures; `limits` are measures of a trial's response.
-NAMES = ["sources", "targets", "damping-rules", "envelopes", "acceptance", "formats", "effects"]
+NAMES = ["sources", "targets", "damping-rules", "envelopes", "acceptance", "formats", "effects", "verdicts"]
 MEASURES = ["measures", "limits"]
 
 

@@ -10,6 +10,7 @@
 
 #include "campaign/campaign_spec.hpp"
 #include "campaign/limit_state.hpp"
+#include "campaign/verdict_text.hpp"
 #include "cli/assumptions_text.hpp"
 #include "cli/column_list.hpp"
 #include "cli/key_list.hpp"
@@ -149,6 +150,15 @@ void print_quantities() {
     }
 }
 
+void print_verdicts() {
+    constexpr MovementSpec usual;
+    IntensityUnit const millimetre{"mm", 1e-3};
+    fmt::print("verdicts of trials (thresholds: measures.slid_from, measures.rocked_from)\n");
+    for (auto const& entry : verdicts()) {
+        print_entry(entry.name, verdict_text(entry, usual, millimetre));
+    }
+}
+
 // What `list` prints, in this order; each can be asked for by its name.
 struct Section {
     std::string_view name;
@@ -163,6 +173,7 @@ constexpr auto sections = std::to_array<Section>(
      {"acceptance", [] { print_entries("acceptance rules (waves.acceptance)", acceptance_rules()); }},
      {"formats", [] { print_entries("record formats", record_formats()); }},
      {"effects", [] { print_entries("effects (effects.include)", effects()); }},
+     {"verdicts", &print_verdicts},
      {"measures", &print_measures},
      {"limits", &print_limits},
      {"trial", &print_quantities}});

@@ -244,7 +244,7 @@ int write_report(ReportOptions const& options) {
                                     .numerical = numerical_error_of(checks)};
     data["answer"] = answer_of(answered);
     auto const records = output::record_sheet(spec, trials_of_few_waves(spec, file));
-    data["records"] = {{"head", records.head}, {"rows", records.rows}};
+    data["records"] = {{"head", records.head}, {"rows", records.rows}, {"note", records.note}};
     add_words(answered, data);
     data["waves"] = waves_of(input, spec, plan, file);
     data["spectra"] = spectra_of(input, spec);

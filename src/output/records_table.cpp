@@ -7,6 +7,8 @@
 
 #include "campaign/limit_state.hpp"
 #include "campaign/typed_units.hpp"
+#include "campaign/verdict_text.hpp"
+#include "core/wrapped.hpp"
 #include "output/answer.hpp"
 #include "output/detail/columns_text.hpp"
 #include "output/detail/level_unit.hpp"
@@ -53,6 +55,21 @@ std::string model_name(TrialRow const& row) {
     return row.model == unknown_category ? "unknown" : model_categories()[model_place(row.model)].name;
 }
 
+// "at-rest: slid less than 1 mm, ...; rocked: ..." of the bodies that stand.
+std::string standing_verdicts_text(CampaignSpec const& spec, std::span<TrialRow const> trials) {
+    std::string text;
+    for (auto const& entry : verdicts()) {
+        bool const stands = entry.decided && !entry.fell;
+        if (stands && std::ranges::find(trials, entry.value, [](TrialRow const& row) {
+                          return row.verdict;
+                      }) != trials.end()) {
+            text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", entry.name,
+                                verdict_text(entry, spec.measures.movement, typed_units(spec).slip));
+        }
+    }
+    return text;
+}
+
 std::vector<TrialRow> at_answer_levels(CampaignSpec const& spec, std::span<TrialRow const> trials) {
     auto const levels = answer_levels(spec.levels);
     std::vector<TrialRow> rows;
@@ -68,13 +85,16 @@ RecordSheet record_sheet(CampaignSpec const& spec, std::span<TrialRow const> tri
     auto const slip = typed_units(spec).slip;
     RecordSheet sheet{{"record", "body", spec.levels.measure_label(), "verdict", fmt::format("slip [{}]", slip.symbol),
                        "tilt [deg]", "model"},
+                      {},
                       {}};
     bool const limits = spec.limits.size() > 1;
     if (limits) {
         sheet.head.emplace_back("nearest limit");
     }
     LimitJudge const judge(spec.limits, ModelSelector(spec.effects, spec.accuracy));
-    for (auto const& row : at_answer_levels(spec, trials)) {
+    auto const rows = at_answer_levels(spec, trials);
+    sheet.note = standing_verdicts_text(spec, rows);
+    for (auto const& row : rows) {
         auto const& of = spec.bodies[row.body];
         auto const& end = entry_of(row.verdict);
         sheet.rows.push_back({spec.source->name(row.wave), of.name, spec.levels.text(row.amplitude),
@@ -102,7 +122,7 @@ std::string records_text(CampaignSpec const& spec, std::span<TrialRow const> tri
         }
         columns.push_back({std::move(column)});
     }
-    return columns_text(columns);
+    return columns_text(columns) + (sheet.note.empty() ? std::string() : wrapped(sheet.note, 4));
 }
 
 Table records_table(CampaignSpec const& spec, std::span<TrialRow const> trials) {

@@ -15,6 +15,7 @@ namespace overturn::output {
 struct RecordSheet {
     std::vector<std::string> head;  ///< record, body, level, verdict, slip, tilt, model, and nearest limit if any
     std::vector<std::vector<std::string>> rows;
+    std::string note;  ///< meaning of the verdicts of bodies that stand
 };
 /// \param trials of trials_of_few_waves
 [[nodiscard]] RecordSheet record_sheet(CampaignSpec const& spec, std::span<TrialRow const> trials);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/verdict_text.hpp"
 #include "core/wrapped.hpp"
 #include "output/record_text.hpp"
 #include "output/row_json.hpp"
@@ -153,7 +154,9 @@ Json json_of(OneResponse const& of) {
 
 std::string text_of(OneResponse const& of, ShownVelocity const& unit) {
     auto const& [spec, record, drift, r, selector, extra] = of;
-    auto text = fmt::format("verdict          {}\n", entry_of(r.verdict).name);
+    auto text = wrapped(fmt::format("verdict          {}{}", entry_of(r.verdict).name,
+                                    at_rest_text(r, MovementSpec{}, spec.units.slip)),
+                        17);
     if (!std::isnan(r.peak_rotation_rad)) {  // else no model ran it: the error says why
         text += moved_text(of, unit);
     }

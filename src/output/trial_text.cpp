@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "campaign/typed_units.hpp"
+#include "campaign/verdict_text.hpp"
 #include "response/registry.hpp"
 
 namespace overturn::output {
@@ -21,9 +22,10 @@ std::string trial_text(CampaignSpec const& spec, TrialRow const& row, std::int64
     auto const slip = row.peak_slip_m > 0 ? fmt::format("peak slip {:.4g} {}, ", row.peak_slip_m / unit.si, unit.symbol)
                                           : std::string();
     return text
-           + fmt::format("verdict {}, peak rotation {:.6g} rad = {:.4g} deg ({:.4f} alpha){}, {}{} impacts\n",
-                         entry_of(row.verdict).name, row.peak_rotation_rad, row.peak_rotation_rad * 180 / pi,
-                         row.peak_rotation_ratio, when, slip, row.impacts);
+           + fmt::format("verdict {}{}, peak rotation {:.6g} rad = {:.4g} deg ({:.4f} alpha){}, {}{} impacts\n",
+                         entry_of(row.verdict).name, at_rest_text(row, spec.measures.movement, unit),
+                         row.peak_rotation_rad, row.peak_rotation_rad * 180 / pi, row.peak_rotation_ratio, when, slip,
+                         row.impacts);
 }
 
 std::string trial_title(CampaignSpec const& spec, TrialRow const& row, std::int64_t trial, std::int64_t wave,

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "campaign/block_rows.hpp"
+#include "campaign/verdict_text.hpp"
+#include "response/registry.hpp"
 #include "spatial/spatial_model.hpp"
 #include "support/bit_equal.hpp"
 #include "support/campaigns.hpp"
@@ -308,6 +310,30 @@ TEST(Movement, WhatAPadGivesWayIsNoRocking) {
         EXPECT_EQ(ends(leans_m + 1.01e-3, points), Verdict::rocked);
     }
     EXPECT_EQ(ends(1.01e-3, Effect::sliding), Verdict::rocked) << "rigid ground does not give way";
+}
+
+// a verdict is explained with the thresholds that the campaign uses, and so is "at rest" of a body that moved.
+TEST(Movement, IsExplainedWithItsThresholds) {
+    IntensityUnit const mm{"mm", 1e-3};
+    MovementSpec const movement{.slip_m = 2e-3, .uplift_m = 5e-4};
+    auto const text = [&](Verdict verdict) { return verdict_text(entry_of(verdict), movement, mm); };
+    EXPECT_EQ(text(Verdict::at_rest), "slid less than 2 mm, and no edge of its base rose 0.5 mm");
+    EXPECT_EQ(text(Verdict::slid), "slid 2 mm or more, and no edge of its base rose 0.5 mm");
+    EXPECT_EQ(text(Verdict::rocked),
+              "an edge of its base rose 0.5 mm or more; it slid less than 2 mm and stayed upright");
+    EXPECT_EQ(text(Verdict::slid_and_rocked),
+              "slid 2 mm or more, an edge of its base rose 0.5 mm or more, and it stayed upright");
+    EXPECT_EQ(text(Verdict::overturned), "fell over");
+
+    Response response;
+    response.verdict = Verdict::at_rest;
+    response.peak_slip_m = 0;
+    response.peak_rotation_rad = 0;
+    EXPECT_EQ(at_rest_text(response, movement, mm), "");
+    response.peak_slip_m = 0.744e-3;
+    EXPECT_EQ(at_rest_text(response, movement, mm), " (slid less than 2 mm, and no edge of its base rose 0.5 mm)");
+    response.verdict = Verdict::slid;
+    EXPECT_EQ(at_rest_text(response, movement, mm), "");
 }
 
 // R-1003: A body that stands has slid or rocked, or both, from stated distances on, whatever model ran: what a pad

@@ -268,6 +268,8 @@ TEST_F(RecordsOnTheLine, ASitesNearestLimitIsALength) {
     auto const run = overturn(folder, {"run", "c.toml"});
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_NE(run.out.find("  400 mm to touches\n"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("\nat-rest: slid less than 1 mm, and no edge of its base rose 1 mm\n"), std::string::npos)
+        << run.out;
 }
 
 // the program reads what it wrote, without a word on units.

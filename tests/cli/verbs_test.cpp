@@ -183,6 +183,10 @@ TEST_F(Verbs, ListNamesEverythingThatCanBeAskedFor) {
     EXPECT_NE(measures.find("  standardised_cav ", measures.find("further curve measures (measures.curves)")),
               std::string::npos);
     EXPECT_EQ(measures.find("mlit-ch1"), std::string::npos) << "one list alone";
+    auto const verdicts = done({"list", "verdicts"}).out;
+    EXPECT_NE(verdicts.find("at-rest                slid less than 1 mm, and no edge of its base rose 1 mm\n"),
+              std::string::npos)
+        << verdicts;
     EXPECT_NE(ended.out.find(measures), std::string::npos) << "and it is part of the whole";
 }
 

@@ -34,7 +34,7 @@ entries() { "$program" list "$@" | grep -oE '^  [^ ]+' | tr -d ' '; }
 listed=$(entries measures; entries limits)
 [ "$(wc -w <<< "$listed")" -ge 30 ] || fail "$program lists no measures"
 for name in $listed; do has measures "<span class=\"pre\">$name</span>" "measure $name"; done
-for name in $(for list in sources targets damping-rules envelopes acceptance formats effects; do entries $list; done); do
+for name in $(for list in sources targets damping-rules envelopes acceptance formats effects verdicts; do entries $list; done); do
     has names "<span class=\"pre\">$name</span>" "name $name"
 done
 assumed=$("$program" list assumptions --json | grep -oE '"name": "[^"]+"' | cut -d'"' -f4)

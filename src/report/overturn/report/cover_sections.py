@@ -26,7 +26,7 @@ def cover(report):
     answer = answer_table(report.data["answer"]) or paragraphs(report.data["headlines"])  # of a grid: no probabilities
     records = report.data["records"]
     if records["rows"]:
-        answer += table("each recorded motion", records["head"], records["rows"])
+        answer += table("each recorded motion", records["head"], records["rows"], records["note"])
     failed = paragraphs([report.notes["check_failed"].format(**check) for check in report.data["checks"] if check["failed"]],
                         " class=warning")
     changed = failed + (paragraphs([report.data["changed"]], " class=warning") if report.data["changed"] else "")
