@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <span>
 
 #include <fmt/format.h>
 
+#include "campaign/typed_units.hpp"
 #include "core/texts_of.hpp"
 
 namespace overturn {
@@ -15,12 +17,12 @@ namespace {
 struct ValidatedRange {
     char const* quantity;
     double lowest, highest;
-    char const* unit;  // "" for pure numbers
+    char const* unit;  // of these numbers
     char const* basis;
 };
 
 constexpr std::array tested{
-    ValidatedRange{"alpha", 0.08, 0.14, "", "fitted to the outcomes of other motions"},
+    ValidatedRange{"alpha", 0.08, 0.14, "rad", "fitted to the outcomes of other motions"},
     ValidatedRange{"p", 4.0, 5.4, "rad/s", "of a centre assumed 0.25 to 0.45 m high; mass measured"},
     ValidatedRange{"PGV", 0.01, 0.94, "m/s", "measured"},
 };
@@ -28,27 +30,34 @@ constexpr std::size_t of_alpha = 0;
 constexpr std::size_t of_p = 1;
 constexpr std::size_t of_pgv = 2;
 
-void add_outside(std::vector<std::string>& list, std::size_t place, double least, double most) {
+// Shown in the unit that the campaign states; without one, in that of the tests.
+void add_outside(std::vector<std::string>& list, std::size_t place, double least, double most,
+                 std::optional<IntensityUnit> const& stated = {}) {
     auto const& range = tested.at(place);
     if (least >= range.lowest && most <= range.highest) {
         return;
     }
-    auto const unit = std::string(range.unit).empty() ? "" : std::string(" ") + range.unit;
-    auto const value = least == most ? fmt::format("{:.3g}", least) : fmt::format("{:.3g} to {:.3g}", least, most);
+    auto const unit = stated.value_or(IntensityUnit{range.unit});
+    auto const text = [&](double low, double high) {
+        return low == high ? fmt::format("{:.3g} {}", unit.of(low), unit.symbol)
+                           : fmt::format("{:.3g} to {:.3g} {}", unit.of(low), unit.of(high), unit.symbol);
+    };
     list.push_back(
-        fmt::format("{} {}{} (tested: {:g} to {:g})", range.quantity, value, unit, range.lowest, range.highest));
+        fmt::format("{} {} (tested: {})", range.quantity, text(least, most), text(range.lowest, range.highest)));
 }
 
 }  // namespace
 
 std::vector<std::string> outside_validated_range(CampaignSpec const& spec) {
     TextsOf texts;
+    auto const angle = typed_unit(spec, Dimension::angle);
+    auto const velocity = typed_unit(spec, Dimension::velocity);
     for (auto const& body : spec.bodies) {
         std::vector<std::string> outside;
-        add_outside(outside, of_alpha, body.body.alpha_rad(), body.body.alpha_rad());
+        add_outside(outside, of_alpha, body.body.alpha_rad(), body.body.alpha_rad(), angle);
         add_outside(outside, of_p, body.body.p_radps(), body.body.p_radps());
         if (spec.levels.measure == measure_named("pgv")) {
-            add_outside(outside, of_pgv, spec.levels.levels.front().value, spec.levels.levels.back().value);
+            add_outside(outside, of_pgv, spec.levels.levels.front().value, spec.levels.levels.back().value, velocity);
         }
         if (body.friction) {
             outside.emplace_back("friction (no test measured it)");

@@ -22,47 +22,45 @@ void add_parts(std::vector<std::string>& notes, BodyFrequency const& f, HazardCu
     auto const& b = f.bounds;
     if (b.above_most > much * f.interval.upper) {
         bool const of_levels = f.highest < hazard.last();
-        notes.push_back(fmt::format("{:.3g} of the upper end is every motion above {}, {}, counted as failing. {}",
-                                    b.above_most, hazard_text(hazard, b.top),
-                                    of_levels ? "the highest level" : "where the hazard curve ends",
-                                    of_levels ? "State higher levels" : "State the hazard curve further"));
+        notes.push_back(fmt::format(
+            "{:.3g} a year of the upper end is every motion above {}, {}, counted as failing. {}", b.above_most,
+            hazard_text(hazard, b.top), of_levels ? "the highest level" : "where the hazard curve ends",
+            of_levels ? "State higher levels" : "State the hazard curve further"));
     }
     if (b.below_most > much * f.interval.upper) {
         notes.push_back(
-            fmt::format("{:.3g} of the upper end is motions below {}, the lowest level, counted as failing as often as "
-                        "there. State "
-                        "lower levels",
+            fmt::format("{:.3g} a year of the upper end is motions below {}, the lowest level, counted as failing as "
+                        "often as there. State lower levels",
                         b.below_most, hazard_text(hazard, f.lowest)));
     }
     if (b.weaker_most > much * f.interval.upper) {
         notes.push_back(
             fmt::format("the upper end counts motions below {}, where the hazard curve begins, by its steepest slope "
-                        "there: {:.3g} by the "
-                        "fitted curve. State the hazard curve from lower on",
+                        "there: {:.3g} a year by the fitted curve. State the hazard curve from lower on",
                         hazard_text(hazard, hazard.first()), b.weaker_most));
     }
 }
 
 void add_mean(std::vector<std::string>& notes, BodyFrequency const& f, HazardCurve const& hazard) {
     if (f.extrapolated() > much * mean_of(f)) {
-        notes.push_back(fmt::format("{:.0f} % of the curve's {:.3g} lies outside {}: extrapolated",
+        notes.push_back(fmt::format("{:.0f} % of the curve's {:.3g} a year lies outside {}: extrapolated",
                                     100 * f.extrapolated() / mean_of(f), mean_of(f),
                                     f.stated ? "the hazard curve" : "the levels or the hazard curve"));
     }
     if (f.continued > (1 + much) * mean_of(f)) {
         notes.push_back(
-            fmt::format("with the hazard curve continued at its slopes at both ends the curve gives {:.3g} "
-                        "(an estimate)",
+            fmt::format("with the hazard curve continued at its slopes at both ends the curve gives {:.3g} a "
+                        "year (an estimate)",
                         f.continued));
     }
     if (f.wide) {
-        notes.push_back(
-            fmt::format("{:.0f} % of the curve's {:.3g} rests on the straight line of the hazard curve from {} to {}, "
-                        "{:.1f} decades. "
-                        "Twice the exceedance halfway ({}) makes it {:.3g} ({:+.0f} %). State points between",
-                        100 * f.wide->share, mean_of(f), hazard_text(hazard, f.wide->from),
-                        hazard_text(hazard, f.wide->to), f.wide->decades, hazard_text(hazard, f.wide->halfway),
-                        f.wide->if_doubled, 100 * (f.wide->if_doubled / mean_of(f) - 1)));
+        notes.push_back(fmt::format(
+            "{:.0f} % of the curve's {:.3g} a year rests on the straight line of the hazard curve from {} to "
+            "{}, {:.1f} decades. Twice the exceedance halfway ({}) makes it {:.3g} a year ({:+.0f} %). "
+            "State points between",
+            100 * f.wide->share, mean_of(f), hazard_text(hazard, f.wide->from), hazard_text(hazard, f.wide->to),
+            f.wide->decades, hazard_text(hazard, f.wide->halfway), f.wide->if_doubled,
+            100 * (f.wide->if_doubled / mean_of(f) - 1)));
     }
 }
 
@@ -86,7 +84,7 @@ void add_seen(std::vector<std::string>& notes, BodyFrequency const& f, HazardCur
     constexpr double nearly_all = 0.75;
     if (!f.mean && f.seen_below_curve > much * f.seen.upper) {
         notes.push_back(fmt::format(
-            "{:.2g} of the upper end is motions below {}, where the hazard curve begins, by its "
+            "{:.2g} a year of the upper end is motions below {}, where the hazard curve begins, by its "
             "steepest slope there{}. State the hazard curve from lower on",
             f.seen_below_curve, hazard_text(hazard, hazard.first()), f.nothing_below > 0 ? "" : " up to one a year"));
     } else if (!f.mean && f.nothing_below < hazard.first()) {
@@ -95,7 +93,7 @@ void add_seen(std::vector<std::string>& notes, BodyFrequency const& f, HazardCur
     }
     if (f.seen_below_levels > nearly_all * f.seen.upper) {
         notes.push_back(
-            fmt::format("{:.2g} of the {:.2g} that the stripes alone allow is by motions weaker than all "
+            fmt::format("{:.2g} of the {:.2g} a year that trials alone allow is by motions weaker than all "
                         "levels, counted as at the lowest. State lower levels",
                         f.seen_below_levels, f.seen.upper));
     }
@@ -118,7 +116,7 @@ std::string row_of(BodyFrequency const& f) {
                         f.mean ? fmt::format("{:.3g}", mean_of(f)) : "-",
                         f.mean ? fmt::format("{:.2g}", f.extrapolated()) : "no curve", seen);
     return text
-           + (f.fractiles ? fmt::format("  by the curves at 5, 50, 95 % confidence: {:.3g}, {:.3g}, {:.3g}\n",
+           + (f.fractiles ? fmt::format("  by the curves at 5, 50, 95 % confidence: {:.3g}, {:.3g}, {:.3g} a year\n",
                                         f.fractiles->low, f.fractiles->median, f.fractiles->high)
                           : std::string());
 }
@@ -164,7 +162,7 @@ std::string frequency_text(std::span<BodyFrequency const> frequencies, HazardCur
     }
     text += fmt::format("{:<{}} {:>22} {:>11} {:>12} {:>22}\n", "body, limit state", name_width,
                         stated ? std::string("bounds") : fmt::format("{:g} % interval", 100 * confidence), "by curve",
-                        "extrapolated", "stripes alone");
+                        "extrapolated", "by trials alone");
     for (auto const& f : frequencies) {
         text += row_of(f);
         for (auto const& note : frequency_notes(f, hazard)) {

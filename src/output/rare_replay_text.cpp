@@ -9,7 +9,7 @@ std::string rare_replay_text(RareReplay const& replay, std::int64_t row, std::st
                              std::string const& limit) {
     std::vector<std::string> ends;
     for (std::size_t f = 0; f < replay.factors.size(); ++f) {
-        ends.push_back(fmt::format("{} at {:.6g}",
+        ends.push_back(fmt::format("{} at factor {:.6g}",
                                    !replay.passed[f]            ? "stood"
                                    : limit == overturning_limit ? "overturned"
                                                                 : "passed",

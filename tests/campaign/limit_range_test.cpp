@@ -32,7 +32,7 @@ TEST(LimitRange, LimitThatNoStandingBodyCanPass) {
         testing::expect_input_error([&] { judge(limited(quantity, rule)); }, "limits[0]." + rule.substr(0, 5), part);
     };
     refuse("peak_rotation", "above=10", "Write \"10 deg\"");
-    refuse("peak_rotation", "above='95 deg'", "95 deg of peak_rotation (it is at most 1.571: no trial passes");
+    refuse("peak_rotation", "above='95 deg'", "95 deg of peak_rotation (it is at most 90 deg: no trial passes");
     refuse("peak_rotation_ratio", "above=50", "at most 3.8");
     refuse("min_contact_force_ratio", "above=1", "at most 1: no trial passes that but by falling). Lower it");
     refuse("peak_contact_force_ratio", "below=0.9", "at least 1, of a body at rest too: no trial passes");
@@ -48,10 +48,10 @@ TEST(LimitRange, LimitThatEveryTrialPasses) {
         testing::expect_input_error([&] { judge(limited(quantity, rule)); }, "limits[0]." + rule.substr(0, 5), part);
     };
     refuse("min_contact_force_ratio", "below=1.1", "1.1 of min_contact_force_ratio (it is at most 1: every trial");
-    refuse("peak_rotation", "below='2 rad'", "2 rad = 114.6 deg of peak_rotation (it is at most 1.571: every trial");
+    refuse("peak_rotation", "below='2 rad'", "2 rad = 114.6 deg of peak_rotation (it is at most 1.571 rad: every trial");
     refuse("peak_contact_force_ratio", "above=0.9", "at least 1, of a body at rest too: every trial passes that");
     refuse("friction_demand", "above=0", "never 0: every trial passes that). Raise it");
-    refuse("edge_x_most", "above='0.4 m'", "at least 0.45, of a body at rest too: every trial passes that");
+    refuse("edge_x_most", "above='0.4 m'", "at least 0.45 m, of a body at rest too: every trial passes that");
     refuse("peak_slip", "above=-1", "");
     EXPECT_NO_THROW(judge(limited("peak_contact_force_ratio", "above=1.2")));
     EXPECT_NO_THROW(judge(limited("edge_x_most", "above='0.8 m'")));

@@ -59,7 +59,7 @@ TEST(Plausible, SlipsInABodyGetOne) {
     expect_reported(with("restitution=0.05"), "of Housner's");
     expect_reported(with("friction=0.04"), "static friction 0.04");
     expect_reported(with("friction={static=0.5, kinetic=0.05}"), "kinetic friction is 0.1 of the static one");
-    expect_reported(with("gravity=1"), "gravity 1 m/s2 (9.78 to 9.83 on Earth)");
+    expect_reported(with("gravity=1"), "gravity 1 m/s2 (9.78 to 9.83 m/s2 on Earth)");
     expect_reported(with("similarity={direction='to-model', length=2.5}"), "similarity.length 2.5");
     expect_reported(with("slope=0.2\naxes=1"), "slope 11.5 deg");
     expect_reported(with("initial_tilt=0.2\naxes=1"), "initial_tilt 11.5 deg");
@@ -93,7 +93,7 @@ TEST(Plausible, InertiaAboutACornerAndRadiiForDiametersGetOne) {
     expect_reported(of(whole + "'2080 t m2'\n"), "1.15 about its corner");
     EXPECT_TRUE(of(whole + "'520 t m2'\n").empty());
     std::string const part = "parts=[{kind='cylinder', mass='118 t', height='5.2 m', diameter=";
-    expect_reported(of(part + "'1.2 m'}]\n"), "a cylinder of 2.006e+04 kg/m3 (steel 7850, solid)");
+    expect_reported(of(part + "'1.2 m'}]\n"), "a cylinder of 2.006e+04 kg/m3 (steel 7850 kg/m3, solid)");
     EXPECT_TRUE(of(part + "'2.4 m'}]\n").empty());
 }
 

@@ -35,13 +35,17 @@ TEST(ValidatedRange, NamesEveryQuantityThatLeavesIt) {
                                                        + body("wide, too", 0.2, 0.35) + body("large", 0.22, 1.0)
                                                        + body("slips", 0.0773, 0.35, "friction=0.5\n")));
     ASSERT_EQ(lines.size(), 3U);
-    EXPECT_EQ(lines[0], "wide, wide, too: alpha 0.278 (tested: 0.08 to 0.14)");
-    EXPECT_EQ(lines[1], "large: p 2.7 rad/s (tested: 4 to 5.4)");
+    EXPECT_EQ(lines[0], "wide, wide, too: alpha 0.278 rad (tested: 0.08 to 0.14 rad)");
+    EXPECT_EQ(lines[1], "large: p 2.7 rad/s (tested: 4 to 5.4 rad/s)");
     EXPECT_EQ(lines[2], "slips: friction (no test measured it)");
     auto const fast =
         spec_of(body("granite", 0.0773, 0.35), "[levels]\nmeasure='pgv'\nvalues=['50 kine', '120 kine']\n");
+    auto const in_degrees = spec_of(body("wide", 0.2, 0.35),
+                                    testing::levels("values=[3,6]\n")
+                                        + "[[limits]]\nname='tilts'\nquantity='peak_rotation'\nabove='2 deg'\n");
+    EXPECT_EQ(outside_validated_range(in_degrees).at(0), "wide: alpha 15.9 deg (tested: 4.58 to 8.02 deg)");
     ASSERT_EQ(outside_validated_range(fast).size(), 1U);
-    EXPECT_EQ(outside_validated_range(fast)[0], "granite: PGV 0.5 to 1.2 m/s (tested: 0.01 to 0.94)");
+    EXPECT_EQ(outside_validated_range(fast)[0], "granite: PGV 50 to 120 kine (tested: 1 to 94 kine)");
 }
 
 }  // namespace

@@ -59,9 +59,15 @@ void refuse_out_of_reach(Table const& limit, LimitState const& state, std::span<
     bool const above = state.rule == LimitState::Rule::above;
     bool const too_high = above == (reach == Passable::none);
     auto const range = range_of(state.quantity, bodies.front());
-    auto const bound = too_high                     ? fmt::format("at most {:.4g}", range.most)
-                       : std::isnormal(range.least) ? fmt::format("at least {:.4g}, of a body at rest too", range.least)
-                                                    : std::string("never 0");
+    auto const& units = state.quantity.units;
+    auto const symbol = !state.shown.symbol.empty() ? state.shown.symbol : units == "1" ? std::string() : units;
+    auto const text_of = [&](double value) {
+        return fmt::format("{:.4g}{}{}", state.shown.of(value), symbol.empty() ? "" : " ", symbol);
+    };
+    auto const bound = too_high ? "at most " + text_of(range.most)
+                       : std::isnormal(range.least)
+                           ? fmt::format("at least {}, of a body at rest too", text_of(range.least))
+                           : std::string("never 0");
     auto const* const who = reach == Passable::none ? "no trial passes that but by falling" : "every trial passes that";
     bool const of_degrees = too_high && above && state.quantity.units == "rad" && state.shown.symbol.empty();
     limit.fail(above ? "above" : "below",

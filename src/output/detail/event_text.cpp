@@ -20,7 +20,7 @@ std::string rare_text(CampaignSpec const& spec, std::span<RareBody const> bodies
         auto const& limit = spec.limits[body.limit];
         text += fmt::format("\nrare events of {}{}, by {}\n{:>10}  {:>10}  {:>22}  {:>6}  {:>13}  {:>9}  {:>10}\n",
                             spec.bodies[body.body].name, body.limit == 0 ? "" : ": " + full_name(limit, spec.limits),
-                            spec.levels.measure_name(), "amplitude", "P", "95 % interval", "c.o.v.", "method", "waves",
+                            spec.levels.measure_name(), "factor", "P", "95 % interval", "c.o.v.", "method", "waves",
                             "crude");
         for (auto const& e : body.estimates) {
             auto const interval = interval_text(e.interval_95);
@@ -33,11 +33,11 @@ std::string rare_text(CampaignSpec const& spec, std::span<RareBody const> bodies
         }
         for (auto const& e : body.estimates) {
             for (auto const& words : e.tried) {
-                text += fmt::format("  note: at {:.4g} tried before: {}\n", e.factor, words);
+                text += fmt::format("  note: at factor {:.4g} tried before: {}\n", e.factor, words);
             }
             if (e.probability && e.cov > spec.rare->target_cov) {
                 text += fmt::format(
-                    "  note: at {:.4g} the c.o.v. {:.3f} exceeds target_cov {:g} (replicates grow up to "
+                    "  note: at factor {:.4g} the c.o.v. {:.3f} exceeds target_cov {:g} (replicates grow up to "
                     "four times, within max_runs). State more of them\n",
                     e.factor, e.cov, spec.rare->target_cov);
             }

@@ -28,6 +28,6 @@ def add(report):
         return
     report.rows("frequency", rows)
     head = ["body", "limit state", f"{100 * report.data['confidence']:g} % interval", "by the curve", "extrapolated",
-            "confidence 5, 50, 95 %", "stripes alone"]
+            "confidence 5, 50, 95 %", "by trials alone"]
     report.section("frequency", "Annual frequency", table("annual frequency of each limit state", head, [row_of(report, f) for f in rows], report.notes["frequency"]),
                    paragraphs(report.data["frequency_notes"], " class=warning"))
