@@ -13,6 +13,7 @@
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/print_note.hpp"
+#include "core/wrapped.hpp"
 #include "output/json.hpp"
 #include "output/made_by.hpp"
 #include "output/rare_replay_text.hpp"
@@ -41,7 +42,7 @@ int print_replay(ReplayOptions const& options, store::ResultsReader const& file,
                  std::vector<std::string> const& different, std::string const& what, std::string const& text,
                  output::Json const& json) {
     fmt::print("{}", options.json ? json.dump(2, ' ', false, output::Json::error_handler_t::replace) + "\n"
-                                  : text + output::difference_text(different));
+                                  : narrowed(text + output::difference_text(different)));
     if (different.empty()) {
         (void)options.unverified.warn_if_changed(file, options.file);  // the row is sound, the file is not
         return done;

@@ -11,6 +11,7 @@
 #include "campaign/plan.hpp"
 #include "cli/json_values.hpp"
 #include "cli/verbs.hpp"
+#include "core/wrapped.hpp"
 #include "output/failed_trials.hpp"
 #include "output/status_text.hpp"
 #include "output/waves_text.hpp"
@@ -230,7 +231,7 @@ int status(std::string const& path, Unverified const& unverified, bool json) {
         facts.update(report.facts);
         fmt::print("{}\n", facts.dump(2, ' ', false, Json::error_handler_t::replace));
     } else {
-        fmt::print("{}: {}\n{}", path, report.state, report.more);
+        fmt::print("{}", narrowed(fmt::format("{}: {}\n{}", path, report.state, report.more)));
     }
     return report.code;
 }

@@ -28,7 +28,7 @@ std::string formed(std::string const& text, NoteForm form) {
     return lines;
 }
 
-// At a terminal. What ends without '\n' waits for an answer or is written over: it stays.
+// What ends without '\n' waits for an answer or is written over: it stays.
 std::string for_people(std::string const& text) {
     bool const is_json = text.starts_with('{');
     return is_json || text.empty() || text.back() != '\n' ? text : narrowed(text);
@@ -53,10 +53,7 @@ void form_notes(NoteForm form) noexcept { note_form = form; }
 QuietNotes::QuietNotes() noexcept { ++quiet_wishes; }
 QuietNotes::~QuietNotes() { --quiet_wishes; }
 
-void write_note(std::string const& text) noexcept {
-    static bool const at_terminal = ::isatty(STDERR_FILENO) != 0;
-    write_all(at_terminal && note_form.load() == nullptr ? for_people(text) : text);
-}
+void write_note(std::string const& text) noexcept { write_all(note_form.load() == nullptr ? for_people(text) : text); }
 
 void write_line(std::string const& line) noexcept { write_all(line + '\n'); }
 

@@ -7,11 +7,11 @@
 
 namespace overturn {
 
-/// Writes `text` to stderr: at a terminal with its longer lines wrapped (narrowed()), into a file or pipe line by line
-/// as it is, for programs that read it. What cannot be written is dropped.
+/// Writes `text` to stderr with its longer lines wrapped (narrowed()), at a terminal or into a log. Programs read notes
+/// as JSON (form_notes), a line each. What cannot be written is dropped.
 void write_note(std::string const& text) noexcept;
 
-/// A line that stays one at a terminal too: an error, which editors and scripts read. \param line without its end
+/// A line that stays one however long it is: an error, which editors and scripts read. \param line without its end
 void write_line(std::string const& line) noexcept;
 
 template <class... Args> void print_note(fmt::format_string<Args...> text, Args&&... args) {

@@ -14,7 +14,8 @@ inline constexpr std::size_t line_width = 100;
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t indent = 0, std::size_t width = line_width,
                                   std::string begun = {});
 
-/// The text with its longer lines wrapped, each behind its own indent and four blanks more.
+/// The text with its longer lines wrapped, each behind its own indent and four blanks more. A command at the end of a
+/// line ("...: overturn run c.toml --resume") stays whole, to be pasted into a shell: on a line of its own if need be.
 [[nodiscard]] std::string narrowed(std::string_view text);
 
 inline constexpr std::size_t label_width = 10;

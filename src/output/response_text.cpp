@@ -57,6 +57,12 @@ std::string column_text(Field const& field, std::span<std::byte const> values, T
                              : wrapped(fmt::format("{:<25}{}: {}", field.name, number, field.description), 25);
 }
 
+// "slip             12 mm at most, ...", in lines that fit a terminal.
+std::string entry(std::string_view label, std::string_view text) {
+    constexpr std::size_t columns = 17;
+    return labelled(label, text, columns);
+}
+
 // Of the model that answered: a base on points, a rim or a disc has a restitution of its own.
 double restitution_of(OneResponse const& of) {
     double const found = of.selector.extra_value(of.response, "restitution", of.extra);
@@ -66,10 +72,10 @@ double restitution_of(OneResponse const& of) {
 std::string body_text(OneResponse const& of, ShownVelocity const& unit) {
     auto const& b = of.spec.body;
     auto const& acceleration = of.spec.units.acceleration;
-    return fmt::format(
-        "body             {}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} {}, V_Ereq {}\n",
-        of.spec.name, b.alpha_rad() * 180 / pi, b.p_radps(), restitution_of(of),
-        b.uplift_acceleration_mps2() / acceleration.si, acceleration.symbol, unit.text(b.limit_velocity_mps()));
+    return entry("body", fmt::format("{}: alpha {:.2f} deg, p {:.4f} rad/s, e {:.4f}, uplift at {:.4g} {}, V_Ereq {}",
+                                     of.spec.name, b.alpha_rad() * 180 / pi, b.p_radps(), restitution_of(of),
+                                     b.uplift_acceleration_mps2() / acceleration.si, acceleration.symbol,
+                                     unit.text(b.limit_velocity_mps())));
 }
 
 // How it moved, what most concerns its safety first.
@@ -77,33 +83,32 @@ std::string moved_text(OneResponse const& of, ShownVelocity const& unit) {
     auto const& r = of.response;
     auto const& slip = of.spec.units.slip;
     auto text =
-        fmt::format("peak rotation    {:.4g} deg = {:.6g} rad = {:.4f} alpha, {}\n", r.peak_rotation_rad * 180 / pi,
-                    r.peak_rotation_rad, r.peak_rotation_ratio, time_text(r.time_of_peak_s));
-    text += fmt::format("slip             {:.6g} {} at most, {:.6g} {} at the end\n", r.peak_slip_m / slip.si,
-                        slip.symbol, r.residual_slip_m / slip.si, slip.symbol);
+        entry("peak rotation", fmt::format("{:.4g} deg = {:.6g} rad = {:.4f} alpha, {}", r.peak_rotation_rad * 180 / pi,
+                                           r.peak_rotation_rad, r.peak_rotation_ratio, time_text(r.time_of_peak_s)));
+    text += entry("slip", fmt::format("{:.6g} {} at most, {:.6g} {} at the end", r.peak_slip_m / slip.si, slip.symbol,
+                                      r.residual_slip_m / slip.si, slip.symbol));
     if (entry_of(r.verdict).fell) {
-        text += fmt::format(
-            "overturned       {}, lies with {:.4g} rad/s, its centre of gravity with {}, its top with {}, {:.4g} kJ "
-            "per "
-            "t\n",
-            time_text(r.overturn_time_s), r.landing_spin_radps, unit.text(r.landing_velocity_mps),
-            unit.text(r.landing_top_mps), r.landing_energy_jpkg);
+        text += entry("overturned",
+                      fmt::format("{}, lies with {:.4g} rad/s, its centre of gravity with {}, its top with {}, "
+                                  "{:.4g} kJ per t",
+                                  time_text(r.overturn_time_s), r.landing_spin_radps, unit.text(r.landing_velocity_mps),
+                                  unit.text(r.landing_top_mps), r.landing_energy_jpkg));
     }
-    text += std::isnan(r.first_uplift_s)
-                ? std::string("uplift           never\n")
-                : fmt::format("uplift           first {}, {} impacts, off the ground {}\n", time_text(r.first_uplift_s),
-                              r.impacts, time_text(r.contact_lost_s));
-    text += fmt::format("V_resp           {} (V_Ereq, which overturns: {})\n", unit.text(r.response_velocity_mps),
-                        unit.text(of.spec.body.limit_velocity_mps()));
-    text += fmt::format("peak energy      {:.4f} of m g (R - h), the least that overturns\n", r.peak_energy_ratio);
-    text += fmt::format("friction demand  {}, least contact force {:.4f} m g\n",
-                        std::isnan(r.friction_demand) ? "unknown" : fmt::format("{:.4f}", r.friction_demand),
-                        r.min_contact_force_ratio);
+    text += entry("uplift", std::isnan(r.first_uplift_s)
+                                ? std::string("never")
+                                : fmt::format("first {}, {} impacts, off the ground {}", time_text(r.first_uplift_s),
+                                              r.impacts, time_text(r.contact_lost_s)));
+    text += entry("V_resp", fmt::format("{} (V_Ereq, which overturns: {})", unit.text(r.response_velocity_mps),
+                                        unit.text(of.spec.body.limit_velocity_mps())));
+    text += entry("peak energy", fmt::format("{:.4f} of m g (R - h), the least that overturns", r.peak_energy_ratio));
+    text += entry("friction demand",
+                  fmt::format("{}, least contact force {:.4f} m g",
+                              std::isnan(r.friction_demand) ? "unknown" : fmt::format("{:.4f}", r.friction_demand),
+                              r.min_contact_force_ratio));
     return text
-           + wrapped(fmt::format("effects          {} (required: {}); {}",
-                                 names_of_effects(static_cast<EffectMask>(r.effects)),
-                                 names_of_effects(static_cast<EffectMask>(r.called)), summary_of_reason(r.reason)),
-                     17);
+           + entry("effects",
+                   fmt::format("{} (required: {}); {}", names_of_effects(static_cast<EffectMask>(r.effects)),
+                               names_of_effects(static_cast<EffectMask>(r.called)), summary_of_reason(r.reason)));
 }
 
 // What the model that answered knows besides.
@@ -154,25 +159,23 @@ Json json_of(OneResponse const& of) {
 
 std::string text_of(OneResponse const& of, ShownVelocity const& unit) {
     auto const& [spec, record, drift, r, selector, extra] = of;
-    auto text = wrapped(fmt::format("verdict          {}{}", entry_of(r.verdict).name,
-                                    at_rest_text(r, MovementSpec{}, spec.units.slip)),
-                        17);
+    auto text =
+        entry("verdict", std::string(entry_of(r.verdict).name) + at_rest_text(r, MovementSpec{}, spec.units.slip));
     if (!std::isnan(r.peak_rotation_rad)) {  // else no model ran it: the error says why
         text += moved_text(of, unit);
     }
     text += body_text(of, unit);
-    text += fmt::format("read as          {}\n", record.read_as());
+    text += entry("read as", record.read_as());
     for (auto const& statement : record.statements) {
         if (statement.starts_with("left out: ")) {
-            text +=
-                fmt::format("left out         {}\n", statement.substr(statement.find(' ', statement.find(':')) + 1));
+            text += entry("left out", statement.substr(statement.find(' ', statement.find(':')) + 1));
         }
     }
     for (auto const& line : record.unread) {
-        text += fmt::format("not understood   {}\n", line);
+        text += entry("not understood", line);
     }
-    text += fmt::format("wave             {}{}\n", drift.text(),
-                        drift.any_excessive() ? ": its baseline drifts, correct it with --baseline" : "");
+    text += entry("wave",
+                  drift.text() + (drift.any_excessive() ? ": its baseline drifts, correct it with --baseline" : ""));
     return text + columns_text(of);
 }
 

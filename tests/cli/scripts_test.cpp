@@ -52,7 +52,7 @@ TEST_F(Scripts, StatusIsJson) {
     EXPECT_EQ(run["waves"]["planned"], 400);
     EXPECT_EQ(run["trials"]["done"].get<int>(), 6 * run["waves"]["done"].get<int>());
     EXPECT_EQ(run["next"], "overturn run c.toml -o c.h5 --resume");
-    auto const text = overturn(folder, {"status", "c.h5"}).out;
+    auto const text = unwrapped(overturn(folder, {"status", "c.h5"}).out);
     EXPECT_TRUE(text.starts_with("c.h5: " + run["text"].get<std::string>() + "\n")) << text;
 
     write(3);

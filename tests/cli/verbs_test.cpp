@@ -8,6 +8,7 @@
 #include "cli/campaign_files.hpp"
 #include "core/wrapped.hpp"
 #include "support/command.hpp"
+#include "support/line_width.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -237,6 +238,45 @@ TEST_F(Verbs, HelpAndListsFitATerminal) {
          {std::vector<std::string>{"list"}, {"list", "keys"}, {"list", "assumptions"}, {"list", "columns", "c.h5"}}) {
         expect_narrow(done(list).out, list.back());
     }
+}
+
+// notes fit 100 columns in a log too, and so do rock, replay and status; a command to go on with stays whole,
+// and an error is one line.
+TEST_F(Verbs, NotesAndResultsFitATerminal) {
+    std::string const setting = "title=" + std::string(90, 'x');
+    auto const stopped =
+        overturn(folder, {"run", "c.toml", "--set", "waves.count=4000", setting, "--max-walltime", "0.05 s"});
+    EXPECT_EQ(stopped.code, 3) << stopped.err;
+    auto const command = "\n    overturn run c.toml -o c.h5 --resume --set waves.count=4000 --set " + setting + "\n";
+    auto lines = stopped.err_lines;
+    auto const at = lines.find(command);
+    ASSERT_NE(at, std::string::npos) << lines;
+    lines.erase(at, command.size() - 1);
+    EXPECT_EQ(too_wide(lines), "");
+    auto status = overturn(folder, {"status", "c.h5"}).out;
+    auto const again = status.find(command);
+    ASSERT_NE(again, std::string::npos) << status;
+    EXPECT_EQ(too_wide(status.erase(again, command.size() - 1)), "");
+    std::filesystem::remove_all(folder / "c.h5.parts");
+
+    auto const run = done({"run", "c.toml"});
+    EXPECT_NE(run.err.find("validated range: outside the range of 245 shaking-table tests of two granite blocks: "),
+              std::string::npos)
+        << run.err;
+    EXPECT_EQ(too_wide(run.err_lines), "");
+    done({"wave", "c.toml", "--wave", "1", "-o", "w.csv"});
+    folder.write("body.toml",
+                 "name='a body with a name that is rather long'\nmass='12.6 t'\nbase_width='0.9 m'\n"
+                 "centre_height='1.045 m'\ninertia='uniform-block'\nfriction=0.5\n");
+    for (std::vector<std::string> const& verb : {std::vector<std::string>{"status", "c.h5"},
+                                                 {"replay", "c.h5", "--trial", "9"},
+                                                 {"replay", "c.h5", "--trial", "3"},
+                                                 {"rock", "--body", "body.toml", "--wave", "w.csv", "--scale", "3"}}) {
+        auto const ended = done(verb);
+        EXPECT_EQ(too_wide(ended.out + ended.err_lines), "") << verb.front();
+    }
+    auto const refused = overturn(folder, {"run", "c.toml", "-o", std::string(120, 'x') + "/c.h5"});
+    EXPECT_TRUE(is_one_error_line(refused.err_lines));
 }
 
 }  // namespace

@@ -314,6 +314,12 @@ TEST(Answer, WrapsBetweenWords) {
     std::string const word(60, 'y');
     EXPECT_EQ(narrowed(short_line + "\n\n  " + word + ' ' + word + '\n'),
               short_line + "\n\n  " + word + "\n      " + word + '\n');
+    std::string const command = ": overturn run c.toml --resume --set title=" + std::string(40, 'z');
+    EXPECT_EQ(narrowed("go on with" + command + '\n'), "go on with" + command + '\n');
+    EXPECT_EQ(narrowed(word + ". Go on with" + command + '\n'), word + ". Go on with:\n    " + command.substr(2) + '\n')
+        << "a command stays whole";
+    EXPECT_EQ(narrowed(word + ' ' + word + ": overturn merge c.h5\n"),
+              word + "\n    " + word + ": overturn merge c.h5\n");
     EXPECT_EQ(wrapped("\u00e4\u00e4 \u00e4\u00e4 x", 0, 5), "\u00e4\u00e4 \u00e4\u00e4\nx\n");
     EXPECT_EQ(wrapped("of 95 % x", 0, 7), "of 95 %\nx\n");
 }

@@ -67,9 +67,20 @@ inline void use_mpi_environment() {
     }
 }
 
+/// Wrapped lines are one again: what begins with four spaces goes on with the line before.
+inline std::string unwrapped(std::string text) {
+    for (std::size_t at = 0; (at = text.find("\n    ", at)) != std::string::npos;) {
+        auto const word = std::min(text.find_first_not_of(' ', at + 1), text.size());
+        text.replace(at, word - at, " ");
+    }
+    return text;
+}
+
 struct Ended {
     int code = -1;  ///< exit code, or 128 + signal
-    std::string out, err;
+    std::string out;
+    std::string err;             ///< notes and errors; of wrapped notes each is one line again
+    std::string err_lines = {};  ///< the same as it was printed
 };
 
 /// A program under way in a folder.
@@ -115,7 +126,8 @@ class Running {
         int status = 0;
         ::waitpid(pid_, &status, 0);
         pid_ = -1;
-        return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out_), read_text(err_)};
+        auto const err = read_text(err_);
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out_), unwrapped(err), err};
     }
 
   private:
@@ -135,15 +147,6 @@ inline std::vector<std::string> joined(std::vector<std::string> first, std::vect
 /// `overturn ...`
 inline Ended overturn(Folder const& folder, std::vector<std::string> const& arguments) {
     return execute(folder, joined({OVERTURN_PROGRAM}, arguments));
-}
-
-/// Wrapped lines are one again: what begins with four spaces goes on with the line before.
-inline std::string unwrapped(std::string text) {
-    for (std::size_t at = 0; (at = text.find("\n    ", at)) != std::string::npos;) {
-        auto const word = std::min(text.find_first_not_of(' ', at + 1), text.size());
-        text.replace(at, word - at, " ");
-    }
-    return text;
 }
 
 /// `overturn plan ...`, its wrapped lines as one each.

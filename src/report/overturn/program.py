@@ -4,6 +4,7 @@ import collections
 import json
 import os
 import pathlib
+import re
 import shlex
 import shutil
 import subprocess
@@ -44,7 +45,8 @@ def call(*arguments, program=None, launch=()):
         raise Error(f"{command[0]}: cannot be run ({error.strerror}). Name the program: program=..., or in OVERTURN") from None
     if ended.returncode == 0 or (ended.returncode == STOPPED and "status" in arguments[:1]):
         return ended
-    lines = [line for line in ended.stderr.splitlines() if line.strip()]
+    notes = re.sub(r"\n {4,}", " ", ended.stderr)  # longer notes are wrapped
+    lines = [line for line in notes.splitlines() if line.strip()]
     errors = [line for line in lines if "error: " in line] or lines[-1:] or [f"ended with {ended.returncode}"]
     raise (Stopped if ended.returncode == STOPPED else Failed)(errors[0], ended.returncode)
 
