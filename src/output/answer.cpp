@@ -57,8 +57,8 @@ class SheetMaker {
             return no_probability_text(of_) + "; each record has its rows below";
         }
         auto const waves = waves_text(of_.statistics.waves(), of_.spec.source->about().acceptance, of_.confidence);
-        return fmt::format("{}; {:g} % intervals{}",
-                           waves.empty() ? count_text(of_.statistics.waves().waves) : waves, 100 * of_.confidence,
+        return fmt::format("{}; {:g} % intervals{}", waves.empty() ? count_text(of_.statistics.waves().waves) : waves,
+                           100 * of_.confidence,
                            shows_responses_ ? "; slip and tilt: median / 95th percentile (<= its upper end)" : "");
     }
 
@@ -133,11 +133,11 @@ class SheetMaker {
         auto const& counted = of_.statistics.bodies()[b];
         auto const limits = detail == Detail::overturning ? 1 : of_.spec.limits.size();
         for (std::size_t limit = 0; limit < limits; ++limit) {
-            auto const said = full_name(of_.spec.limits[limit], of_.spec.limits);
+            auto const name = full_name(of_.spec.limits[limit], of_.spec.limits);
             add_row(limit == 0 ? body.body : "",
-                    too_few_     ? (limit == 0 ? "overturned" : said)
+                    too_few_     ? (limit == 0 ? "overturned" : name)
                     : limit == 0 ? "P(overturn)"
-                                 : "P(" + said + ")",
+                                 : "P(" + name + ")",
                     [&](std::size_t l) {
                         auto const& stripe = counted.stripes_of(limit)[l];
                         return too_few_ ? passed_text(stripe) : probability_text(stripe, of_.confidence);

@@ -161,8 +161,8 @@ std::string frequency_text(std::span<BodyFrequency const> frequencies, HazardCur
         text += wrapped("note: hazard curve: " + remark, 4, line_width, "  ");
     }
     text += fmt::format("{:<{}} {:>22} {:>11} {:>12} {:>22}\n", "body, limit state", name_width,
-                        stated ? std::string("bounds") : fmt::format("{:g} % interval", 100 * confidence), "by curve",
-                        "extrapolated", "by trials alone");
+                        stated ? std::string("bounds") : fmt::format("{:g} % interval", 100 * confidence), "curve mean",
+                        "beyond data", "by trials alone");
     for (auto const& f : frequencies) {
         text += row_of(f);
         for (auto const& note : frequency_notes(f, hazard)) {

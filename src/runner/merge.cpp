@@ -73,7 +73,7 @@ void require_same_program(CampaignInput const& begun, std::filesystem::path cons
         output.string(), begun.libraries, here.libraries);
 }
 
-// What is said where not all that the parts were to do is there; empty where it is.
+// Note on what is missing of what the parts were to do; empty where nothing is.
 std::string missing_text(BlocksToMerge const& parts, AcceptedWaves const& waves, bool chosen) {
     auto const& shards = parts.shards;
     if (!chosen) {
@@ -88,7 +88,7 @@ std::string missing_text(BlocksToMerge const& parts, AcceptedWaves const& waves,
                            : std::string();
 }
 
-// Of these blocks; nothing where some are missing, which is said.
+// Of these blocks; nothing where some are missing, which a note names.
 std::optional<Plan> chosen_of_parts(BlocksToMerge const& parts, std::vector<std::int64_t> const& blocks) {
     AcceptedWaves waves(parts.spec, parts.drawn);
     take_rows(waves, parts.drawn, parts.shards, blocks);
@@ -219,7 +219,7 @@ MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator
         }
         return tables ? MergeEnd::complete : MergeEnd::missing;
     };
-    // Looked for once, on rank 0: what is not sound is said by that.
+    // Read once, on rank 0: a note names each that is not sound.
     std::optional<std::vector<std::int64_t>> found_sound;
     auto const sound = [&] {
         if (!found_sound) {

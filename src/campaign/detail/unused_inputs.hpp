@@ -7,8 +7,8 @@
 namespace overturn {
 
 /// Does this value move no trial of the campaign, as no model that may run reads it? A restitution under a base that
-/// has its own, a static friction under points, a base or pad where bodies are rigid. Of values outside [[bodies]]
-/// nothing is said.
+/// has its own, a static friction under points, a base or pad where bodies are rigid. False for all values outside
+/// [[bodies]].
 [[nodiscard]] bool is_unused(config::InputValue const& value, CampaignSpec const& spec);
 
 }  // namespace overturn

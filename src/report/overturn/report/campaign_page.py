@@ -35,7 +35,7 @@ class Report:
         self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
                         for limit in self.fit["limit_states"]}
         self.results = CampaignResults(path_of(data["file"]), self.fit["bodies"], self.stripes[OVERTURNING], data["levels_unit"])
-        self.said = {limit["name"]: limit["said"] for limit in self.fit["limit_states"]}  # as lines call them
+        self.limit_names = {limit["name"]: limit["said"] for limit in self.fit["limit_states"]}  # as lines call them
         self.ends = [end for end in self.results.ends if end in self.fit["stripes"][0]]  # of those that the program knows
         tables = {part: self.fit[part] for part in ("probabilities", "band", "isotonic", "drawn", "warnings")}
         parts = {part: rows_by(rows, "body", "limit", "measure")
@@ -178,12 +178,12 @@ class Report:
             if answers:
                 parts.append(table(f"{body.name}: response against window energy", ["V_WES / V_Ereq", "without slip", "trials", "with slip", "trials", "overturned"],
                                    [self.answer(r) for r in answers], self.notes["response"]))
-            said = next((v for v in self.fit.get("verdict", []) if v["body"] == body.name), None)
-            if said:
+            verdict = next((v for v in self.fit.get("verdict", []) if v["body"] == body.name), None)
+            if verdict:
                 for kind, title in (("supports", "Supports the criterion"), ("against", "Contradicts the criterion"),
                                     ("open", "Not decided")):
-                    if said[kind]:
-                        items = "".join(f"<li>{escape(line)}</li>" for line in said[kind])
+                    if verdict[kind]:
+                        items = "".join(f"<li>{escape(line)}</li>" for line in verdict[kind])
                         parts.append(f"<p class=label>{title}</p><ul>{items}</ul>")
         compared = "" if self.fit["grid"] else self.figure(
             "measures", lambda path: fragility_figures.measures(self.results, self.fits, path), "intensity measures compared")

@@ -183,7 +183,7 @@ def sample(count):
     return np.arange(0, count, max(1, -(-count // MOST_POINTS)))
 
 
-def said(axes, name, ratio, stood, fell, top):
+def draw_predictions(axes, name, ratio, stood, fell, top):
     """How often an energy measure over its limit was what it was, by what came of it."""
     axes.hist([ratio[stood], ratio[fell]], bins=np.linspace(0, 1.03 * top, 36), stacked=True,
               color=[style.SKY, VERMILION], label=["stood", "overturned"])
@@ -192,7 +192,7 @@ def said(axes, name, ratio, stood, fell, top):
 
 
 def criterion(results, body, path):
-    """V_resp against V_WES, the paper's figure 12, and what V_WES and ouV_E said: where they are wrong, on which side."""
+    """V_resp against V_WES, the paper's figure 12, and what V_WES and ouV_E predicted: where they are wrong, on which side."""
     style.use()
     figure, axes = plt.subplot_mosaic([["response", "response"], ["window", "whole"]], figsize=(5.6, 5.2), height_ratios=[1.5, 1],
                                       layout="constrained")
@@ -220,8 +220,8 @@ def criterion(results, body, path):
     of = f"[{style.speed_unit()}]" if absolute else "/ V_Ereq"
     left.set(xlim=(0, 1.03 * top * unit), ylim=(-0.02 * unit, 1.08 * unit), xlabel=f"V_WES {of}", ylabel=f"V_resp {of}",
              title="response against window energy")
-    said(axes["window"], "V_WES", ratio, moved & ~fell, fell, top)
-    said(axes["whole"], "ouV_E", whole, moved & ~fell, fell, whole_top)
+    draw_predictions(axes["window"], "V_WES", ratio, moved & ~fell, fell, top)
+    draw_predictions(axes["whole"], "ouV_E", whole, moved & ~fell, fell, whole_top)
     axes["window"].set_title("trials by energy measure")
     shown = [axes[panel].get_legend_handles_labels() for panel in ("response", "window")]
     style.legend_below(figure, shown[0][0] + shown[1][0], [*shown[0][1], *(f"trials that {w}" for w in shown[1][1])])

@@ -15,7 +15,7 @@ def row_of(report, f):
         return interval([f[f"{name}_lower_per_year"], f[f"{name}_upper_per_year"]], DIGITS)
     low = f["frequency_lower_per_year"]
     fractiles = [f[f"fractile_{percent}_per_year"] for percent in (5, 50, 95)]
-    return [f["body"], report.said[f["limit"]], f"> {low_of(low, DIGITS)}" if lacks_beta_u(f) else span("frequency"), value_of(f["mean_per_year"], DIGITS, "no curve"),
+    return [f["body"], report.limit_names[f["limit"]], f"> {low_of(low, DIGITS)}" if lacks_beta_u(f) else span("frequency"), value_of(f["mean_per_year"], DIGITS, "no curve"),
             value_of(f["extrapolated_per_year"], 2),
             "beta_U unknown" if None in fractiles else ", ".join(value_of(value, DIGITS) for value in fractiles),
             span("stripes_alone")]
@@ -27,7 +27,7 @@ def add(report):
     if not rows:
         return
     report.rows("frequency", rows)
-    head = ["body", "limit state", f"{100 * report.data['confidence']:g} % interval", "by the curve", "extrapolated",
+    head = ["body", "limit state", f"{100 * report.data['confidence']:g} % interval", "curve mean", "beyond data",
             "confidence 5, 50, 95 %", "by trials alone"]
-    report.section("frequency", "Annual frequency", table("annual frequency of each limit state", head, [row_of(report, f) for f in rows], report.notes["frequency"]),
+    report.section("frequency", "Annual frequency", table("annual frequency of each limit state [1/a]", head, [row_of(report, f) for f in rows], report.notes["frequency"]),
                    paragraphs(report.data["frequency_notes"], " class=warning"))

@@ -107,7 +107,7 @@ def curves(report, limit):
              *(s[end] for end in kinds), value_of(s["probability"], 3), low_of(s["lower"], 3), high_of(s["upper"], 3)]
             for s in stripes]
     name = "fragility" if limit == OVERTURNING else f"fragility-{limit}"
-    what = "overturning" if limit == OVERTURNING else f"exceeding {report.said[limit]}"
+    what = "overturning" if limit == OVERTURNING else f"exceeding {report.limit_names[limit]}"
     bodies = len(report.results.bodies)
     many = bodies > fragility_figures.MOST_COMPARED
     ranked = [[f["body"], f["label"], *median_over(report, f), value_of(f["beta"], 3), interval(ends(f, "beta"), 3),

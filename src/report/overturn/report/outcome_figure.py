@@ -7,9 +7,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 
-def shares(axes, said):
+def shares(axes, judged):
     """Share of falls in bins of PGV with its exact interval, and the predicted share."""
-    low, high, n, k, lower, upper, predicted = np.array(said["bins"]).T
+    low, high, n, k, lower, upper, predicted = np.array(judged["bins"]).T
     middle, share = np.sqrt(low * high), k / np.maximum(n, 1)
     axes.errorbar(style.speed(middle), share, xerr=style.speed(np.array([middle - low, high - middle])),
                   yerr=np.abs([share - lower, upper - share]), fmt="o", ms=3.4, color=INK, elinewidth=0.8, label="fell, exact 95 %", zorder=3)
@@ -21,9 +21,9 @@ def shares(axes, said):
     axes.set_title("Falls over PGV")
 
 
-def reliability(axes, said):
+def reliability(axes, judged):
     """Of tests with about one predicted chance: how many fell."""
-    rows = np.array([row for row in said["reliability"] if row[1]], float)
+    rows = np.array([row for row in judged["reliability"] if row[1]], float)
     axes.plot([0, 1], [0, 1], color=style.GREY, lw=0.7, ls=(0, (4, 3)))
     axes.plot(rows[:, 0] + 0.1, rows[:, 2] / rows[:, 1], "o-", ms=3.4, color=BLUE)
     for low, n, k in rows:
@@ -34,9 +34,9 @@ def reliability(axes, said):
     axes.set_title("Reliability")
 
 
-def areas(axes, said, name_of):
+def areas(axes, judged, name_of):
     """How well each measure orders the tests, best above."""
-    rows = sorted(said["areas"].items(), key=lambda item: item[1][0])
+    rows = sorted(judged["areas"].items(), key=lambda item: item[1][0])
     for at, (_, (value, low, high)) in enumerate(rows):
         if low is not None:
             axes.plot([low, high], [at, at], color=INK, lw=0.8)
@@ -49,14 +49,14 @@ def areas(axes, said, name_of):
 
 
 def draw(specimen, name_of, path):
-    said = specimen.said
+    judged = specimen.judged
     panels = [shares]
     panels += [reliability] if len(specimen.bodies) > 1 else []
-    panels += [lambda axes, of: areas(axes, of, name_of)] if said["areas"] else []
+    panels += [lambda axes, of: areas(axes, of, name_of)] if judged["areas"] else []
     style.use()
     figure, axes = plt.subplots(1, len(panels), figsize=(2.9 * len(panels), 2.6), squeeze=False, layout="constrained")
     for panel, of in zip(panels, axes[0]):
-        panel(of, said)
+        panel(of, judged)
     handles, labels = axes[0][0].get_legend_handles_labels()
     style.legend_below(figure, handles, labels)
     style.save(figure, path)

@@ -37,7 +37,7 @@ class Specimen:
                       "measured": {key: np.array([body.measures[key] for body in self.bodies]).T[self.waves]
                                    for key in ("v_wes", "ou_v_e", "v_wes_other_unit", "ou_v_e_other_unit")
                                    if key in self.bodies[0].measures}}
-        self.said = outcomes.judge(self.tests, self.motions, self.fell, np.random.default_rng(SEED)) if len(self.waves) else None
+        self.judged = outcomes.judge(self.tests, self.motions, self.fell, np.random.default_rng(SEED)) if len(self.waves) else None
 
     def over_limit(self, measure):
         """Geometric mean over its bodies of a measure over their V_Ereq."""
@@ -62,31 +62,31 @@ def of_predictor(name, counted, tests):
 
 
 def predictors(specimen, unit, notes):
-    said = specimen.said
-    rows = [("time history", said["by_time_history"])]
-    rows += [(f"{name_of(measure, unit)} < V_Ereq", counted) for measure, counted in said["criteria"].items()]
-    rows += [(notes["threshold"].format(measure=measure.upper()), said[key]) for measure in ("pgv", "pga")
-             for key in [f"by_threshold_on_{measure}"] if key in said]
+    judged = specimen.judged
+    rows = [("time history", judged["by_time_history"])]
+    rows += [(f"{name_of(measure, unit)} < V_Ereq", counted) for measure, counted in judged["criteria"].items()]
+    rows += [(notes["threshold"].format(measure=measure.upper()), judged[key]) for measure in ("pgv", "pga")
+             for key in [f"by_threshold_on_{measure}"] if key in judged]
     return rows
 
 
 def summary(specimen, notes):
-    said = specimen.said
-    wrong = said["by_time_history"]["false_safe"] / said["tests"]
+    judged = specimen.judged
+    wrong = judged["by_time_history"]["false_safe"] / judged["tests"]
     lines = [notes["agreement"].format(
-        falls=said["falls"], tests=said["tests"], motions=said["motions"],
-        agreement=value_of(said["by_time_history"]["agreement"], 3), agreement_interval=interval(said["agreement_interval"], 3),
-        false_safe=value_of(wrong, 2), false_safe_interval=interval(said["false_safe_interval"], 2))]
-    lines.append(notes["brier"].format(score=value_of(said["brier"]["time_history"], 3),
-                                       share=value_of(said["brier"]["always_the_share"], 3)))
+        falls=judged["falls"], tests=judged["tests"], motions=judged["motions"],
+        agreement=value_of(judged["by_time_history"]["agreement"], 3), agreement_interval=interval(judged["agreement_interval"], 3),
+        false_safe=value_of(wrong, 2), false_safe_interval=interval(judged["false_safe_interval"], 2))]
+    lines.append(notes["brier"].format(score=value_of(judged["brier"]["time_history"], 3),
+                                       share=value_of(judged["brier"]["always_the_share"], 3)))
     if len(specimen.bodies) > 1:
-        voters = sorted(said["votes"].items(), key=lambda item: -item[1])
-        votes = [notes["vote"].format(body=specimen.bodies[b].name, count=count, motions=said["motions"])
+        voters = sorted(judged["votes"].items(), key=lambda item: -item[1])
+        votes = [notes["vote"].format(body=specimen.bodies[b].name, count=count, motions=judged["motions"])
                  for b, count in voters[:MOST_VOTERS]]
         if len(voters) > MOST_VOTERS:
             votes.append(notes["more_votes"].format(count=len(voters) - MOST_VOTERS))
         lines.append(notes["several"].format(bodies=len(specimen.bodies), votes=", ".join(votes),
-                                             rule=notes["rule_left_out" if said["motions"] > 1 else "rule_all"]))
+                                             rule=notes["rule_left_out" if judged["motions"] > 1 else "rule_all"]))
     else:
         lines.append(notes["one"])
     if specimen.undecided:
@@ -98,9 +98,9 @@ def wrong_tests(specimen):
     """Tests that fell although the time history or a criterion called them safe, one by one, least rotation first: what is
     known of each, SI; and the measures that close its row."""
     over = {measure: specimen.over_limit(measure) for measure in specimen.tests["measured"] if not measure.endswith(OTHER_UNIT)}
-    safe = np.any([specimen.said["chance"] <= 0.5, *(~specimen.said["unsafe"][measure] for measure in over)], axis=0)
+    safe = np.any([specimen.judged["chance"] <= 0.5, *(~specimen.judged["unsafe"][measure] for measure in over)], axis=0)
     rows = [[int(specimen.waves[i]), specimen.names[i], specimen.motions[i], float(specimen.tests["pga"][i]),
-             float(specimen.tests["pgv"][i]), float(specimen.rotation[i].mean()), float(specimen.said["chance"][i]),
+             float(specimen.tests["pgv"][i]), float(specimen.rotation[i].mean()), float(specimen.judged["chance"][i]),
              *(float(ratio[i]) for ratio in over.values())] for i in np.flatnonzero(specimen.fell & safe)]
     return sorted(rows, key=lambda row: row[5]), list(over)
 
@@ -112,18 +112,18 @@ def shown_test(row):
 
 def part_of(report, specimen, unit):
     notes, parts = report.notes["outcomes"], [f"<h4>{escape(specimen.name)}</h4>\n"]
-    if specimen.said is None:
+    if specimen.judged is None:
         return [*parts, paragraphs([notes["no_verdict" if specimen.tested else "not_tested"]])]
-    said = specimen.said
+    judged = specimen.judged
     parts.append(paragraphs(summary(specimen, notes)))
     head = ["predicted by", "false safe", "false alarm", "safe, stood", "unsafe, fell", "agreement", "false safe of safe", "exact interval",
             "false safe / tests"]
-    parts.append(table(f"{specimen.name}: predicted and real falls", head, [of_predictor(name, counted, said["tests"]) for name, counted in predictors(specimen, unit, notes)],
+    parts.append(table(f"{specimen.name}: predicted and real falls", head, [of_predictor(name, counted, judged["tests"]) for name, counted in predictors(specimen, unit, notes)],
                        notes["counts"]))
-    if said["areas"]:
+    if judged["areas"]:
         parts.append(table(f"{specimen.name}: order of the tests", ["orders tests by", "area under the curve", "95 %, motions resampled"],
                            [[name_of(measure, unit), value_of(value, 3), interval([low, high], 3)]
-                            for measure, (value, low, high) in said["areas"].items()],
+                            for measure, (value, low, high) in judged["areas"].items()],
                            " ".join([notes["areas"], *([notes["areas_of_several"]] if len(specimen.bodies) > 1 else [])])))
     plain = specimen.name.replace("*", "any")  # for names of files
     parts.append(report.figure(f"outcomes-{plain}",
@@ -149,8 +149,8 @@ def add(report):
     unit = told["radius_unit"]
     specimens = [Specimen(report, told, stated) for stated in told["specimens"]]
     report.csv("outcomes", ["specimen", "wave", "record", "motion", "fell", "predicted_chance", "pga_mps2", "pgv_mps"],
-               [[s.name, int(w), s.names[i], s.motions[i], int(s.fell[i]), float(s.said["chance"][i]), float(s.tests["pga"][i]),
-                 float(s.tests["pgv"][i])] for s in specimens if s.said for i, w in enumerate(s.waves)])
+               [[s.name, int(w), s.names[i], s.motions[i], int(s.fell[i]), float(s.judged["chance"][i]), float(s.tests["pga"][i]),
+                 float(s.tests["pgv"][i])] for s in specimens if s.judged for i, w in enumerate(s.waves)])
     parts = [part for specimen in specimens for part in part_of(report, specimen, unit)]
     shown = told["histories"]
     if shown:

@@ -15,7 +15,7 @@ FLOOR = 1e-9  # of ratios, before their logarithm
 
 
 def counted(predicted, fell):
-    """False safe first: it fell and was said to stand."""
+    """False safe first: it fell and was predicted to stand."""
     return {"false_safe": int((~predicted & fell).sum()), "false_alarm": int((predicted & ~fell).sum()),
             "safe": int((~predicted & ~fell).sum()), "fell": int((predicted & fell).sum()),
             "agreement": float((predicted == fell).mean())}
@@ -54,12 +54,12 @@ class Area:
 
 def left_out(motions, choose, predict):
     """For every test what the other motions choose says of it; and what each motion's others chose."""
-    said, chosen = np.zeros(len(motions)), []
+    predicted, chosen = np.zeros(len(motions)), []
     for motion in sorted(set(motions)):
         out = motions == motion
         chosen.append(choose(~out))
-        said[out] = predict(chosen[-1])[out]
-    return said, chosen
+        predicted[out] = predict(chosen[-1])[out]
+    return predicted, chosen
 
 
 def as_good_as_the_best(agreement):
@@ -99,32 +99,32 @@ def judge(tests, motions, fell, random):
                         lambda chosen: votes[:, chosen].mean(1))
     chance, chosen = vote(tests["fell"])
     predicted, everyone = chance > 0.5, np.arange(len(fell))
-    said = {"tests": len(fell), "falls": int(fell.sum()), "motions": len(set(motions)), "chance": chance,
-            "votes": {int(b): sum(b in of for of in chosen) for b in sorted(set(np.concatenate(chosen)))},
-            "by_time_history": counted(predicted, fell),
-            "agreement_interval": interval(motions, lambda i: (predicted[i] == fell[i]).mean(), random),
-            "false_safe_interval": interval(motions, lambda i: (~predicted[i] & fell[i]).mean(), random)}
-    if said["motions"] > 1:
+    judged = {"tests": len(fell), "falls": int(fell.sum()), "motions": len(set(motions)), "chance": chance,
+              "votes": {int(b): sum(b in of for of in chosen) for b in sorted(set(np.concatenate(chosen)))},
+              "by_time_history": counted(predicted, fell),
+              "agreement_interval": interval(motions, lambda i: (predicted[i] == fell[i]).mean(), random),
+              "false_safe_interval": interval(motions, lambda i: (~predicted[i] & fell[i]).mean(), random)}
+    if judged["motions"] > 1:
         for measure in ("pgv", "pga"):
             x = tests[measure]
             by, _ = left_out(motions, lambda kept, x=x: best_threshold(x[kept], fell[kept]), lambda t, x=x: x > t)
-            said[f"by_threshold_on_{measure}"] = counted(by > 0.5, fell)
+            judged[f"by_threshold_on_{measure}"] = counted(by > 0.5, fell)
     near = as_good_as_the_best(agreement)
     ordering = {name: np.log(np.maximum(x / tests["limit"], FLOOR))[:, near].mean(1) for name, x in tests["measured"].items()}
     ordering.update(pgv=tests["pgv"], pga=tests["pga"])
     if tests["energy"] is not None:
         ordering["peak energy"] = np.log(np.maximum(tests["energy"], FLOOR))[:, near].mean(1)
     areas = {name: Area(x, fell) for name, x in ordering.items()} if fell.any() and not fell.all() else {}
-    said["areas"] = {name: [float(area(everyone)), *(interval(motions, area, random) or [None, None])]
-                     for name, area in areas.items()}
-    said["unsafe"] = {name: vote(x >= tests["limit"])[0] > 0.5 for name, x in tests["measured"].items()}
-    said["criteria"] = {name: counted(unsafe, fell) for name, unsafe in said["unsafe"].items()}
-    said["bins"] = bins(tests["pgv"], chance, fell)
+    judged["areas"] = {name: [float(area(everyone)), *(interval(motions, area, random) or [None, None])]
+                       for name, area in areas.items()}
+    judged["unsafe"] = {name: vote(x >= tests["limit"])[0] > 0.5 for name, x in tests["measured"].items()}
+    judged["criteria"] = {name: counted(unsafe, fell) for name, unsafe in judged["unsafe"].items()}
+    judged["bins"] = bins(tests["pgv"], chance, fell)
     share = fell.mean()
-    said["brier"] = {"time_history": float(((chance - fell) ** 2).mean()), "always_the_share": float(share * (1 - share))}
-    said["reliability"] = [[low, int(inside.sum()), int(fell[inside].sum())] for low in STEPS
-                           for inside in [(chance >= low) & ((chance < low + 0.2) | (low == STEPS[-1]))]]
-    return said
+    judged["brier"] = {"time_history": float(((chance - fell) ** 2).mean()), "always_the_share": float(share * (1 - share))}
+    judged["reliability"] = [[low, int(inside.sum()), int(fell[inside].sum())] for low in STEPS
+                             for inside in [(chance >= low) & ((chance < low + 0.2) | (low == STEPS[-1]))]]
+    return judged
 
 
 def bins(pgv, chance, fell):

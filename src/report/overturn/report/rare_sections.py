@@ -21,12 +21,12 @@ def add(report):
                 f"failing-{body.name}", lambda path, body=body, waves=waves: rare_figures.failing(
                     body.name, waves["failing"], body.numbers["alpha_rad"], path), f"a wave that overturns {body.name}"))
     rare = report.fit["rare"]
-    rows = [[e["body"], report.said[e["limit"]], value_of(e["amplitude"]), value_of(e["probability"], 3) if e["probability"] is not None
+    rows = [[e["body"], report.limit_names[e["limit"]], value_of(e["amplitude"]), value_of(e["probability"], 3) if e["probability"] is not None
              else f"below {high_of(e['upper'], 3)}",
              interval([e["lower"], e["upper"]], 3) if e["probability"] is not None else "–", value_of(e["cov"], 2), e["method"],
              e["runs"], value_of(e["crude_runs"], 2), e["state"], e["reason"] or ""] for e in rare]
     head = ["body", "limit", "factor", "P", "95 % interval", "c.o.v.", "method", "waves", "crude would need", "state", "why"]
-    health = [[c["body"], report.said[c["limit"]], value_of(rare_level(report, c)["amplitude"]), c["check"], value_of(c["value"], 3), value_of(c["limit_value"], 3),
+    health = [[c["body"], report.limit_names[c["limit"]], value_of(rare_level(report, c)["amplitude"]), c["check"], value_of(c["value"], 3), value_of(c["limit_value"], 3),
                "passed" if c["passed"] else "failed"] for c in report.fit["rare_health"]]
     report.rows("rare", rare)
     report.section("rare", "Rare events", *parts, table("rare events", head, rows, report.notes["rare"]),
