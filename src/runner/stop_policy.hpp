@@ -14,7 +14,7 @@ void stop_on_signals();
 /// Restores the handlers from before stop_on_signals(), and raises again a signal that came meanwhile.
 void restore_signals();
 
-/// Decides when one rank stops. SIGUSR1 and the time limit let the block in hand be finished; SIGTERM and SIGINT give
+/// Decides when one rank stops. SIGUSR1 and the time limit let the block under way be finished; SIGTERM and SIGINT give
 /// it half a second more, because mpirun and batch systems kill soon after; so does SIGUSR2, which mpirun hands on
 /// without ending itself with a code of its own.
 class StopPolicy {
@@ -24,7 +24,7 @@ class StopPolicy {
 
     /// May another block be begun? Not if the longest one so far would not fit into the time that is left.
     [[nodiscard]] bool may_begin() const;
-    /// May the block in hand go on?
+    /// May the block under way go on?
     [[nodiscard]] bool may_go_on() const;
     /// May the merge go on? For some time after a SIGUSR1: most are done by then, and it would begin anew.
     [[nodiscard]] bool may_merge() const;

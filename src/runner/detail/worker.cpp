@@ -19,7 +19,7 @@ constexpr int ranks_worth_serving = 64;
 constexpr std::int64_t shares_each = 4;
 constexpr double report_every_s = 1;
 constexpr double soon_s = 0.1;           // blocks computed together: a SIGTERM leaves half a second
-constexpr double commit_every_s = 0.05;  // what a kill may lose beside the blocks in hand
+constexpr double commit_every_s = 0.05;  // what a kill may lose beside the blocks under way
 // A rank that has nothing left waits as long as its longest block took, within these bounds, before it takes a block
 // over; before the next one it does not wait. tests/scale/ranks.py simulates it.
 constexpr double least_patience_s = 1;
@@ -138,7 +138,7 @@ class Worker {
             what_.known);
     }
 
-    // Has another rank computed the blocks in hand? Only where none is left to be given out.
+    // Has another rank computed the blocks under way? Only where none is left to be given out.
     bool are_taken_over(std::span<std::int64_t const> blocks) {
         if (comm_.size() == 1 || seconds_since(looked_) < taken_over_look_s) {
             return are_there_;
@@ -251,7 +251,7 @@ class Worker {
     Clock::time_point looked_ = reported_;  ///< for blocks that another rank computed, or holds
     Clock::time_point waits_since_ = reported_, looked_for_hung_ = reported_;
     std::int64_t looks_ = 0;
-    bool are_there_ = false;  ///< the blocks in hand, of another rank
+    bool are_there_ = false;  ///< the blocks under way, of another rank
     bool stopped_ = false;
 };
 

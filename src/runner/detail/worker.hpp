@@ -54,7 +54,7 @@ struct Work {
 };
 
 /// Computes and commits the blocks `left` until none is left or it is time to go. Collective.
-/// \throws CollectiveError on every rank if one cannot commit; the others commit what they have in hand first
+/// \throws CollectiveError on every rank if one cannot commit; the others commit what they have computed first
 [[nodiscard]] WorkDone work(Work const& what, std::vector<std::int64_t> const& left, StopPolicy& stop_policy,
                             parallel::Communicator const& comm, Progress& progress);
 
