@@ -29,7 +29,9 @@ struct Packing {
     bool packed = false;
 
     void offered_by(Verb& verb) {
-        verb.takes("--packed", packed, "compress the results file: same content, about one sixth of the size");
+        verb.takes("--packed", packed,
+                   "compress the results file: same content; about one sixth of the size from 100 000 trials on, one "
+                   "fifth of 24 000, no smaller up to 16 384");
     }
     [[nodiscard]] store::Layout layout() const { return packed ? store::Layout::packed : store::Layout::plain; }
 };

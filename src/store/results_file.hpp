@@ -25,7 +25,7 @@ inline constexpr std::int64_t oldest_format_read = 3;  ///< earlier files are re
 /// How the columns of long tables lie in the file. Their content, and its digest, is the same.
 enum class Layout {
     plain,  ///< as they are in memory
-    packed  ///< deflated in chunks of 16384 rows, their bytes shuffled before: a sixth of the size
+    packed  ///< deflated in chunks of 16384 rows, their bytes shuffled before: of long columns a sixth
 };
 
 /// A column is a field of rows; a group of them is appended row by row.
