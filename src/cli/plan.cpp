@@ -199,9 +199,10 @@ void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan cons
 ProbedCost print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
     auto cost = probe(spec, plan);
     if (full) {
-        print_entry("per wave", fmt::format("{:.1f} ms: generation {:.1f} ms, intensity measures {:.1f} ms, {} trials {:.1f} ms",
-                                            1e3 * cost.wave_s(), 1e3 * cost.generation_s, 1e3 * cost.measures_s,
-                                            plan.trials_per_wave(), 1e3 * cost.trials_s));
+        print_entry("per wave",
+                    fmt::format("{:.1f} ms: generation {:.1f} ms, intensity measures {:.1f} ms, {} trials {:.1f} ms",
+                                1e3 * cost.wave_s(), 1e3 * cost.generation_s, 1e3 * cost.measures_s,
+                                plan.trials_per_wave(), 1e3 * cost.trials_s));
     }
     if (auto const text = output::waves_text(cost.waves, spec.source->about().acceptance, spec.confidence);
         !text.empty()) {

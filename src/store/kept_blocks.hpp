@@ -8,7 +8,8 @@
 
 namespace overturn::store {
 
-/// Finished blocks of a run that was begun for `output`, by the names of their files. 0 also where nothing is on record.
+/// Finished blocks of a run that was begun for `output`, by the names of their files. 0 also where nothing is on
+/// record.
 [[nodiscard]] std::int64_t blocks_beside(std::filesystem::path const& output);
 
 /// What to do about a file at `output` that holds no results: `otherwise`, or where finished blocks lie beside it, that

@@ -48,7 +48,8 @@ TEST(LimitRange, LimitThatEveryTrialPasses) {
         testing::expect_input_error([&] { judge(limited(quantity, rule)); }, "limits[0]." + rule.substr(0, 5), part);
     };
     refuse("min_contact_force_ratio", "below=1.1", "1.1 of min_contact_force_ratio (it is at most 1: every trial");
-    refuse("peak_rotation", "below='2 rad'", "2 rad = 114.6 deg of peak_rotation (it is at most 1.571 rad: every trial");
+    refuse("peak_rotation", "below='2 rad'",
+           "2 rad = 114.6 deg of peak_rotation (it is at most 1.571 rad: every trial");
     refuse("peak_contact_force_ratio", "above=0.9", "at least 1, of a body at rest too: every trial passes that");
     refuse("friction_demand", "above=0", "never 0: every trial passes that). Raise it");
     refuse("edge_x_most", "above='0.4 m'", "at least 0.45 m, of a body at rest too: every trial passes that");

@@ -40,9 +40,9 @@ TEST(ValidatedRange, NamesEveryQuantityThatLeavesIt) {
     EXPECT_EQ(lines[2], "slips: friction (no test measured it)");
     auto const fast =
         spec_of(body("granite", 0.0773, 0.35), "[levels]\nmeasure='pgv'\nvalues=['50 kine', '120 kine']\n");
-    auto const in_degrees = spec_of(body("wide", 0.2, 0.35),
-                                    testing::levels("values=[3,6]\n")
-                                        + "[[limits]]\nname='tilts'\nquantity='peak_rotation'\nabove='2 deg'\n");
+    auto const in_degrees =
+        spec_of(body("wide", 0.2, 0.35), testing::levels("values=[3,6]\n")
+                                             + "[[limits]]\nname='tilts'\nquantity='peak_rotation'\nabove='2 deg'\n");
     EXPECT_EQ(outside_validated_range(in_degrees).at(0), "wide: alpha 15.9 deg (tested: 4.58 to 8.02 deg)");
     ASSERT_EQ(outside_validated_range(fast).size(), 1U);
     EXPECT_EQ(outside_validated_range(fast)[0], "granite: PGV 50 to 120 kine (tested: 1 to 94 kine)");

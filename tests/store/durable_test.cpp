@@ -4,7 +4,6 @@
 #include <cerrno>
 
 #include "core/next_step.hpp"
-
 #include "support/expect_input_error.hpp"
 #include "support/expect_system_error.hpp"
 #include "support/full_disk.hpp"
