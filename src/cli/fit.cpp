@@ -129,7 +129,7 @@ Fitted fitted(FitOptions const& options, output::TextOptions const& text, store:
     }
     if (options.json || text.wants("hand") || has_withheld(input)) {  // it makes waves
         all.by_hand = hand_checks(spec);
-        compare(all.by_hand, all.analysis);
+        compare(all.by_hand, statistics, all.analysis);
     }
     if (!options.measures.empty()) {
         all.pairs = over_two_measures(spec, statistics, parse_measures(options.measures, spec), confidence);

@@ -227,7 +227,7 @@ int write_report(ReportOptions const& options) {
     auto const telling = telling_trials(spec, file);
     data["fit"]["telling_trials"] = output::json_of(output::telling_trial_table(spec, telling));
     add_checks(checks, options.file, file, data);
-    add_hand_checks(spec, analysis, data);
+    add_hand_checks(spec, statistics, analysis, data);
     add_rare(file, spec, data);
     data["changed"] = changed ? output::changed_file_text() : "";
     data["facts"] = facts_of(spec, plan, statistics);

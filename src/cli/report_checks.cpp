@@ -110,11 +110,12 @@ std::optional<output::NumericalError> numerical_error_of(std::span<CheckRecord c
     }
 }
 
-void add_hand_checks(CampaignSpec const& spec, std::span<BodyAnalysis const> analysis, Json& data) {
+void add_hand_checks(CampaignSpec const& spec, Statistics const& statistics, std::span<BodyAnalysis const> analysis,
+                     Json& data) {
     std::vector<HandCheck> checks;
     try {
         checks = hand_checks(spec);
-        compare(checks, analysis);
+        compare(checks, statistics, analysis);
     } catch (InputError const&) {
         checks.clear();  // a wave that cannot be made is a failed row, and counted as such
     }

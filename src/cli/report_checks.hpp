@@ -11,6 +11,7 @@
 #include "output/answer.hpp"
 #include "output/package_text.hpp"
 #include "results/analysis.hpp"
+#include "results/statistics.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn::cli {
@@ -33,6 +34,7 @@ void add_checks(std::span<CheckRecord const> records, std::string const& path, s
 [[nodiscard]] std::optional<output::NumericalError> numerical_error_of(std::span<CheckRecord const> records);
 
 /// Adds the table `hand_check` to what the page has of `overturn fit --json`; empty where no wave can be made.
-void add_hand_checks(CampaignSpec const& spec, std::span<BodyAnalysis const> analysis, Json& data);
+void add_hand_checks(CampaignSpec const& spec, Statistics const& statistics, std::span<BodyAnalysis const> analysis,
+                     Json& data);
 
 }  // namespace overturn::cli

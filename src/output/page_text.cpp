@@ -36,7 +36,7 @@ std::string basis_text(Answered const& of, std::size_t body, std::size_t limit) 
         of.statistics.bodies()[body].stripes_of(limit)[static_cast<std::size_t>(basis - levels.begin())];
     if (!no_probability_text(of).empty()) {
         return fmt::format("at the design basis ({}) {} of {} {}", of.spec.levels.text(basis->value), stripe.overturned,
-                           stripe.trials, limit == 0 ? "overturned it" : "exceeded it");
+                           stripe.trials, limit == 0 ? "overturned" : "exceeded it");
     }
     auto const ends = stripe.interval(of.confidence);
     return fmt::format("at the design basis ({}) {} of {} trials {}, P between {:.2g} and {:.2g}",

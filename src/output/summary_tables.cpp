@@ -131,7 +131,8 @@ Table hand_check_table(CampaignSpec const& spec, std::span<HandCheck const> chec
              [](Row const& row) { return text_or_none(row.left_out); })
         .add("overturning_level", level_unit(spec.levels), "level at which the demand reaches the capacity",
              [](Row const& row) { return row.overturning_level; })
-        .add("simulated_median", level_unit(spec.levels), "median of the simulated curve; NaN: there is no curve",
+        .add("simulated_median", level_unit(spec.levels),
+             "median of the simulated curve; without one the lowest level at which half overturned; NaN: none",
              [](Row const& row) { return row.simulated_median; })
         .add("unsafe", "1", "1: above the simulated median, not to be quoted",
              [](Row const& row) { return row.is_unsafe(); })

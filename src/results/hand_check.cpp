@@ -131,11 +131,20 @@ std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
     return checks;
 }
 
-void compare(std::span<HandCheck> checks, std::span<BodyAnalysis const> analysis) {
+void compare(std::span<HandCheck> checks, Statistics const& statistics, std::span<BodyAnalysis const> analysis) {
     for (auto& check : checks) {
         auto const body = std::ranges::find(analysis, check.body, &BodyAnalysis::body);
-        if (body != analysis.end() && body->over_levels().fit.identifiable()) {
-            check.simulated_median = std::exp(body->over_levels().fit.line->log_median());
+        if (body == analysis.end()) {
+            continue;
+        }
+        auto const& stripes = statistics.bodies()[static_cast<std::size_t>(body - analysis.begin())].stripes;
+        auto const half = std::ranges::find_if(stripes, [](Stripe const& stripe) {
+            return stripe.decided() > 0 && 2 * stripe.overturned >= stripe.decided();
+        });
+        if (auto const& fit = body->over_levels().fit; fit.identifiable()) {
+            check.simulated_median = std::exp(fit.line->log_median());
+        } else if (half != stripes.end()) {
+            check.simulated_median = half->amplitude;
         }
     }
 }

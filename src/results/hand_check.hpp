@@ -10,6 +10,7 @@
 #include "body/reserve_energy.hpp"
 #include "campaign/campaign_spec.hpp"
 #include "results/analysis.hpp"
+#include "results/statistics.hpp"
 
 namespace overturn {
 
@@ -24,7 +25,9 @@ struct HandCheck {
     /// Sliding distance at the design basis [m], where the body has a friction and the campaign a design basis; 0: none
     std::optional<double> sliding_m;
     double sliding_frequency_hz = 0;
-    std::optional<double> simulated_median;  ///< of the curve over the levels, by `compare`; none without a curve
+    /// Of the curve over the levels, by `compare`. Without a curve the lowest level at which half of the trials or more
+    /// overturned; none where fewer did at every level.
+    std::optional<double> simulated_median;
 
     /// Does the body overturn at lower levels by simulation? The calculation by hand is then not to be quoted.
     [[nodiscard]] bool is_unsafe() const { return simulated_median && overturning_level > *simulated_median; }
@@ -34,7 +37,7 @@ struct HandCheck {
 /// so. Empty where waves are a grid or none can be scaled.
 [[nodiscard]] std::vector<HandCheck> hand_checks(CampaignSpec const& spec);
 
-/// Gives every check the simulated median of its body.
-void compare(std::span<HandCheck> checks, std::span<BodyAnalysis const> analysis);
+/// Gives every check the simulated median of its body. \param analysis of these statistics
+void compare(std::span<HandCheck> checks, Statistics const& statistics, std::span<BodyAnalysis const> analysis);
 
 }  // namespace overturn

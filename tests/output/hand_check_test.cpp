@@ -2,7 +2,9 @@
 // wherever it is printed.
 #include "results/hand_check.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -24,11 +26,28 @@ BodyAnalysis curve_with_median(double median) {
     return body;
 }
 
-HandCheck checked_by(BodyAnalysis const& body) {
+CampaignSpec campaign() {
+    return testing::campaign_from(testing::quick_waves + testing::type_b + testing::levels("values=[4, 5, 8]\n"));
+}
+
+// \param fallen of ten trials at 4, 5 and 8 m/s2
+HandCheck checked_by(BodyAnalysis const& body, std::array<int, 3> fallen = {}) {
+    auto const spec = campaign();
+    Statistics statistics(spec);
+    for (std::int32_t level = 0; level < 3; ++level) {
+        for (std::int64_t wave = 0; wave < 10; ++wave) {
+            TrialRow trial;
+            trial.wave = wave;
+            trial.level = level;
+            trial.verdict = wave < fallen.at(static_cast<std::size_t>(level)) ? Verdict::overturned : Verdict::rocked;
+            statistics.add(trial);
+        }
+    }
+
     std::vector<HandCheck> checks(1);
     checks.front().body = "type-b";
     checks.front().overturning_level = by_hand_mps2;
-    compare(checks, std::span(&body, 1));
+    compare(checks, statistics, std::span(&body, 1));
     return checks.front();
 }
 
@@ -40,14 +59,16 @@ TEST(HandCheck, IsUnsafeAboveTheSimulatedMedian) {
     without.fragility.front().fit.line.reset();
     EXPECT_FALSE(checked_by(without).is_unsafe()) << "nothing to compare with";
     EXPECT_FALSE(checked_by(without).simulated_median.has_value());
+    EXPECT_TRUE(checked_by(without, {0, 5, 10}).is_unsafe()) << "half fell at 5 m/s2";
+    EXPECT_EQ(checked_by(without, {0, 5, 10}).simulated_median, 5);
+    EXPECT_FALSE(checked_by(without, {0, 4, 10}).is_unsafe()) << "half fell at 8 m/s2 only";
     auto other = curve_with_median(5);
     other.body = "type-a";
     EXPECT_FALSE(checked_by(other).is_unsafe()) << "another body's";
 }
 
 TEST(HandCheck, SaysSoBeforeItsNumber) {
-    auto const spec =
-        testing::campaign_from(testing::quick_waves + testing::type_b + testing::levels("values=['600 gal']\n"));
+    auto const spec = campaign();
     auto const line = [&](double median) {
         auto const check = checked_by(curve_with_median(median));
         return output::hand_check_lines(spec, std::span(&check, 1)).back();
