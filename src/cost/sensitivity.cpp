@@ -15,6 +15,7 @@
 #include "cost/bench.hpp"
 #include "cost/detail/paired_trials.hpp"
 #include "cost/detail/varied_inputs.hpp"
+#include "results/few_waves.hpp"
 #include "stats/probit.hpp"
 #include "stats/quantile.hpp"
 
@@ -60,6 +61,10 @@ class SensitivityRunner {
                  "{}: its waves are a grid of frequencies (no random sample: there is no probability "
                  "that an input could move). Read the map of overturn fit instead",
                  input.name);
+        validate(!no_sample(spec_, plan_.waves()),
+                 "{}: {} recorded motions (no probability, which needs {} or more, and no median that an input could "
+                 "move). State more of them",
+                 input.name, plan_.waves(), least_records);
         measure_nothing(spec_);
         numbers_ = spread_over(std::min(waves == 0 ? usual_waves : waves, plan_.waves()), plan_.waves());
         for (auto const number : numbers_) {

@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/outward.hpp"
 #include "core/wrapped.hpp"
 #include "cost/sensitivity.hpp"
+#include "stats/proportion.hpp"
 
 namespace overturn::cost {
 namespace {
@@ -26,7 +28,13 @@ std::string median_text(Shift const& shift) {
 
 std::string share_text(Counts const& counts) {
     auto const share = counts.share();
-    return share ? fmt::format("{:.3g}", *share) : std::string("-");
+    if (!share) {
+        return "-";
+    }
+    auto const ends = clopper_pearson(counts.passed, counts.decided, 0.95);
+    return counts.passed == 0                ? fmt::format("< {:.3g}", rounded_up(ends.upper))
+           : counts.passed == counts.decided ? fmt::format("> {:.3g}", rounded_down(ends.lower))
+                                             : fmt::format("{:.3g}", *share);
 }
 
 std::string design_text(Shift const& shift) {

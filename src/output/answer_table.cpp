@@ -97,7 +97,7 @@ Table answer_table(Answered const& of) {
         .add("peak_rotation_p95_upper", tilt, "upper end of it; infinite: no limit, or overturned",
              rotation(Of::p95_upper))
         .add("hclpf", level_unit(of.spec.levels), "HCLPF of the limit state; NaN: not known",
-             [=](Row const& row) { return too_few ? std::nullopt : row.fit->hclpf(); })
+             [](Row const& row) { return row.fit->hclpf(); })
         .add("hclpf_lower", level_unit(of.spec.levels), "lower end of it",
              [=](Row const& row) -> std::optional<double> {
                  auto const ends = row.fit->identifiable() ? row.fit->intervals().hclpf : std::nullopt;

@@ -131,6 +131,9 @@ std::string frequency_name(BodyFrequency const& f) {
 
 std::vector<std::string> frequency_notes(BodyFrequency const& f, HazardCurve const& hazard) {
     std::vector<std::string> notes;
+    if (std::isnan(f.seen.upper)) {  // of waves that are no sample
+        return notes;
+    }
     if (f.lacks_beta_u()) {
         notes.emplace_back(
             "no upper end, because beta_U is not known (--beta-u, or the campaign's key statistics.beta_u): uncertain "

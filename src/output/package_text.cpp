@@ -172,7 +172,7 @@ std::vector<std::string> hand_check_lines(CampaignSpec const& spec, std::span<Ha
             fmt::format("{:.4g} {}", spec.levels.shown(check.overturning_level), spec.levels.shown_units());
         auto text = fmt::format(
             "{}: {}overturns above {} {} (the spectrum at {:.3g} Hz, {:.3g} % damping; tilt {:.2f} alpha)", check.body,
-            check.is_unsafe() ? fmt::format("unsafe, do not quote (the simulated median is {}): ",
+            check.is_unsafe() ? fmt::format("unsafe, do not quote (half overturn at {} by simulation): ",
                                             spec.levels.text(*check.simulated_median))
                               : std::string(),
             spec.levels.measure_label(), level, check.rocking.frequency_hz, 100 * check.rocking.damping,

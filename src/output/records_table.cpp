@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -70,6 +72,17 @@ std::string standing_verdicts_text(CampaignSpec const& spec, std::span<TrialRow 
     return text;
 }
 
+// The campaign's names of records; the files' own where these differ from each other.
+std::vector<std::string> short_names(CampaignSpec const& spec) {
+    std::vector<std::string> whole;
+    std::vector<std::string> files;
+    for (auto const& measured : spec.source->about().measured) {
+        whole.push_back(measured.name);
+        files.push_back(std::filesystem::path(measured.name).filename().string());
+    }
+    return std::set<std::string>(files.begin(), files.end()).size() == files.size() ? files : whole;
+}
+
 std::vector<TrialRow> at_answer_levels(CampaignSpec const& spec, std::span<TrialRow const> trials) {
     auto const levels = answer_levels(spec.levels);
     std::vector<TrialRow> rows;
@@ -93,11 +106,12 @@ RecordSheet record_sheet(CampaignSpec const& spec, std::span<TrialRow const> tri
     }
     LimitJudge const judge(spec.limits, ModelSelector(spec.effects, spec.accuracy));
     auto const rows = at_answer_levels(spec, trials);
+    auto const names = short_names(spec);
     sheet.note = standing_verdicts_text(spec, rows);
     for (auto const& row : rows) {
         auto const& of = spec.bodies[row.body];
         auto const& end = entry_of(row.verdict);
-        sheet.rows.push_back({spec.source->name(row.wave), of.name, spec.levels.text(row.amplitude),
+        sheet.rows.push_back({names.at(static_cast<std::size_t>(row.wave)), of.name, spec.levels.text(row.amplitude),
                               std::string(end.name), of.friction ? number_or_dash(slip.of(row.peak_slip_m)) : "-",
                               end.fell ? "fell" : number_or_dash(degrees_per_rad * row.peak_rotation_rad),
                               model_name(row)});

@@ -120,8 +120,8 @@ template <class Row> class TableOf {
 
   private:
     template <class Value> static constexpr Kind kind_of() {
-        if constexpr (std::is_same_v<Value, bool>) {
-            return Kind::yes_no;
+        if constexpr (std::is_same_v<Value, bool> || std::is_same_v<Value, std::optional<bool>>) {
+            return Kind::yes_no;  // what may be missing is in no file
         } else if constexpr (std::integral<Value>) {
             return Kind::count;
         } else if constexpr (std::is_same_v<Value, std::string> || std::is_same_v<Value, std::optional<std::string>>) {
@@ -132,8 +132,11 @@ template <class Row> class TableOf {
         }
     }
     template <class Value> static Cell cell_of(Value value) {
-        if constexpr (std::is_same_v<Value,
-                                     std::optional<double>> || std::is_same_v<Value, std::optional<std::string>>) {
+        if constexpr (
+            std::is_same_v<
+                Value,
+                std::optional<
+                    double>> || std::is_same_v<Value, std::optional<bool>> || std::is_same_v<Value, std::optional<std::string>>) {
             return value ? Cell(*value) : Cell();
         } else if constexpr (std::integral<Value> && !std::is_same_v<Value, bool>) {
             return static_cast<std::int64_t>(value);

@@ -147,6 +147,7 @@ class Analyst {
                 fit.undecided += static_cast<double>(stripe.trials - stripe.decided());
             }
             fit.waves = statistics_.waves().waves;
+            fit.isotonic_median = {never, never};
             fit.lowest = spec_.levels.levels.front().value;
             fit.highest = spec_.levels.levels.back().value;
         }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/field.hpp"
 #include "results/few_waves.hpp"
 #include "stats/quantile.hpp"
 
@@ -186,16 +187,19 @@ std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics c
                                           std::vector<BodyAnalysis> const& analysis, HazardCurve const& hazard,
                                           double confidence) {
     std::vector<BodyFrequency> all;
-    if (no_sample(spec, statistics.waves().waves)) {
-        return all;
-    }
+    bool const sample = !no_sample(spec, statistics.waves().waves);
     for (std::size_t b = 0; b < analysis.size(); ++b) {
         double const still = nothing_below(spec, spec.bodies[b]);
         for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
             auto const& fits = limit == 0 ? analysis[b].fragility : analysis[b].limits[limit - 1].fragility;
             auto const stripes = FragilityData::of_stripes(statistics.bodies()[b].stripes_of(limit));
             double const nothing = needs_motion(spec.limits[limit], spec.limits) ? still : 0;
-            all.push_back(frequency_of(fits.front().fit, stripes, hazard, confidence, nothing));
+            if (sample) {
+                all.push_back(frequency_of(fits.front().fit, stripes, hazard, confidence, nothing));
+            } else {
+                all.emplace_back();
+                all.back().seen = all.back().interval = {never, never};
+            }
             all.back().body = analysis[b].body;
             all.back().limit = spec.limits[limit].name;
             all.back().full_name = full_name(spec.limits[limit], spec.limits);

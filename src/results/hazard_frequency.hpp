@@ -59,7 +59,7 @@ struct BodyFrequency {
 /// Frequency of a stated curve: beta_R, and beta_U beside it (0: not known).
 [[nodiscard]] BodyFrequency frequency_of_stated(double median, double beta_r, double beta_u, HazardCurve const& hazard);
 
-/// None where the waves are no sample.
+/// Not known (NaN) where the waves are no sample.
 [[nodiscard]] std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics const& statistics,
                                                         std::vector<BodyAnalysis> const& analysis,
                                                         HazardCurve const& hazard, double confidence);

@@ -11,6 +11,7 @@
 #include "core/random_stream.hpp"
 #include "stats/detail/curve_fit.hpp"
 #include "stats/detail/extended_real.hpp"
+#include "stats/detail/few_capacities.hpp"
 
 namespace overturn {
 namespace {
@@ -149,8 +150,7 @@ FragilityFit::Intervals intervals_of(Interval median, Interval beta, Interval fi
 }
 
 void raise_flags(FragilityFit& fit, std::size_t capacities) {
-    constexpr std::size_t few = 30;
-    fit.flags |= capacities < few ? bit(FragilityFlag::few_waves) : 0;
+    fit.flags |= static_cast<std::int64_t>(capacities) < waves_enough_to_resample ? bit(FragilityFlag::few_waves) : 0;
     fit.flags |= fit.beta_u_known ? 0 : bit(FragilityFlag::no_beta_u);
     double const median = std::exp(fit.line->log_median());
     fit.flags |= median < fit.lowest || median > fit.highest ? bit(FragilityFlag::median_outside_data) : 0;
@@ -254,6 +254,15 @@ std::vector<Stripe> stripes_of(std::span<Capacity const> capacities) {
 
 FragilityFit fragility_of(std::span<Capacity const> capacities, FragilityRequest const& request) {
     OVERTURN_EXPECT(!capacities.empty());
+    if (std::ssize(capacities) < least_waves) {
+        FragilityFit fit;
+        fit.state = FragilityState::few_waves;
+        fit.passing = request.passing;
+        fit.trials = static_cast<double>(capacities.size());
+        fit.overturned = static_cast<double>(std::ranges::count_if(capacities, &Capacity::reached));
+        fit.waves = std::ssize(capacities);
+        return fit;
+    }
     auto const line = fit_capacities(capacities);
     if (!line) {
         auto data = FragilityData::of_stripes(stripes_of(capacities));
@@ -282,6 +291,16 @@ FragilityFit fragility_of(std::span<Capacity const> capacities, FragilityRequest
     fit.replicates_without_curve = refits.without_curve();
     fit.bootstrap = intervals_of(refits.intensity(0.5, c), refits.beta(c), refits.intensity(five_percent, c), request);
     fit.ends = fit.profile;
+    if (std::ssize(capacities) < waves_enough_to_resample) {  // the profile likelihood of so few is short too
+        FewCapacities const few(*line, std::ssize(capacities), c);
+        auto const by_few = intervals_of(few.median(), few.beta(), few.intensity(five_percent), request);
+        fit.method = FragilityFit::Method::wider_of_both;
+        fit.ends = {hull(fit.profile->median, by_few.median), hull(fit.profile->beta, by_few.beta),
+                    hull(fit.profile->five_percent_point, by_few.five_percent_point), std::nullopt};
+        if (by_few.hclpf) {
+            fit.ends->hclpf = hull(*fit.profile->hclpf, *by_few.hclpf);
+        }
+    }
     raise_flags(fit, capacities.size());
     return fit;
 }

@@ -235,8 +235,8 @@ std::optional<double> FragilityFit::five_percent_point() const {
 }
 
 std::optional<double> FragilityFit::hclpf() const {
-    return beta_u_known ? std::optional(std::exp(line->log_median() - hclpf_score * (beta_r() + beta_u)))
-                        : std::nullopt;
+    bool const limited = beta_u_known && !(ends && ends->hclpf && ends->hclpf->lower <= 0);
+    return limited ? std::optional(std::exp(line->log_median() - hclpf_score * (beta_r() + beta_u))) : std::nullopt;
 }
 
 std::optional<double> FragilityFit::one_percent_point() const {

@@ -192,7 +192,7 @@ struct FragilityFit {
     /// a curve.
     [[nodiscard]] std::optional<double> five_percent_point() const;
     /// exp(ln median - 1.645 (beta_R + beta_U)): high confidence, low probability of failure (EPRI TR-103959). Nothing
-    /// where beta_U is not known.
+    /// where beta_U is not known, or the trials do not limit it from below.
     [[nodiscard]] std::optional<double> hclpf() const;
     /// Intensity at which the composite curve, with beta_R and beta_U together, reaches 1 %; nothing where HCLPF is not
     /// known.

@@ -1,5 +1,6 @@
 // Requirement R-711: `fit --capacities` takes a row per wave, with ties and with those not reached, and refuses what it
 // cannot read where it stands.
+#include <cmath>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -74,6 +75,27 @@ TEST_F(Capacities, UnderTheirUsualNames) {
                "c.csv:3:1: '" + std::string(cell) + "' (it stood: up to which");
     }
     refuse("pga [g]\n0,7\n0,9\n", "decimal comma");
+}
+
+// fewer than five hold no curve; of nine the interval of the median is Student's where that is the longest.
+TEST_F(Capacities, FewGiveNoCurveOrWideIntervals) {
+    auto const fit = [&](std::string const& rows) {
+        folder.write("few.csv", "pga [g], collapsed\n" + rows);
+        auto const ended = overturn(folder, {"fit", "--capacities", "few.csv", "--beta-u", "0.3", "--json"});
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return json::parse(ended.out)["fragility"][0];
+    };
+    auto const four = fit("0.8,1\n1.0,1\n1.1,1\n1.4,1\n");
+    EXPECT_EQ(four["state"], "few-waves");
+    EXPECT_TRUE(four["median"].is_null()) << four;
+    EXPECT_TRUE(four["hclpf"].is_null()) << four;
+    auto const nine = fit("0.5,1\n0.6,1\n0.7,1\n0.8,1\n0.9,1\n1.0,1\n1.2,1\n1.4,1\n1.8,1\n");
+    EXPECT_EQ(nine["interval_method"], "wider-of-both");
+    double const deviation = nine["beta"].get<double>() * std::sqrt(9.0 / 8);
+    double const half = 2.3060041 * deviation / 3;  // Student's t of 8 degrees of freedom, 97.5 %
+    EXPECT_LE(nine["median_upper"].get<double>() / nine["median"].get<double>(), std::exp(half) * 1.05);
+    EXPECT_GE(nine["median_upper"].get<double>() / nine["median"].get<double>(), std::exp(half) * (1 - 1e-6));
+    EXPECT_LE(nine["median_lower"].get<double>() / nine["median"].get<double>(), std::exp(-half) * (1 + 1e-6));
 }
 
 TEST_F(Capacities, GiveAnAnnualFrequency) {

@@ -242,7 +242,7 @@ TEST_F(RecordsOnTheLine, OfFewerThanFiveNoTableHasAProbability) {
                                         "quantiles", "frequency", "criterion", "answer"}) {
             for (auto const& row : fit.value(table, json::array())) {
                 for (auto const* const key : {"probability", "lower", "upper", "median", "p95", "hclpf",
-                                              "mean_per_year", "false_safe_share_lower"}) {
+                                              "mean_per_year", "false_alarm_share"}) {
                     count += row.contains(key) && !row.at(key).is_null() ? 1 : 0;
                 }
             }
@@ -261,6 +261,11 @@ TEST_F(RecordsOnTheLine, OfFewerThanFiveNoTableHasAProbability) {
     EXPECT_NE(text.find("4 records: no probability, which needs 5 or more"), std::string::npos) << text;
     auto const asked = overturn(folder, {"fit", "four.h5", "--section", "frequency", "--hazard", "hazard.csv"}).out;
     EXPECT_NE(asked.find("== frequency\n4 records: no probability"), std::string::npos) << asked;
+    EXPECT_NE(asked.find("annual frequency needs 5 records or more (4 here)"), std::string::npos) << asked;
+    auto const moved = overturn(folder, {"cost", "four.toml", "--sensitivity"});
+    EXPECT_EQ(moved.code, 2) << moved.out;
+    EXPECT_NE(moved.err.find("4 recorded motions (no probability, which needs 5 or more"), std::string::npos)
+        << moved.err;
 }
 
 // how far a site's limit is away is a length, not a ratio.

@@ -47,7 +47,7 @@ TEST(CriterionWords, SafetyIsReportedUnderItsHeading) {
     EXPECT_EQ(
         good.supports,
         (Lines{"conservative here: no false-safe prediction in 41 trials that uplifted (1 that did not uplift are "
-               "excluded) in 41 waves: false-safe rate < 8.6 % of waves (95 %)",
+               "excluded) in 41 waves: false-safe rate < 8.61 % of waves (95 %)",
                "the lowest V_WES / V_Ereq at which a trial overturned is 2.2 (of these waves: more may go below)"}));
     auto const few = words_on(judged(Safety::few_waves), 0.95);
     EXPECT_TRUE(few.supports.empty());
@@ -68,7 +68,7 @@ TEST(CriterionWords, FalseSafeOnesSpeakAgainst) {
     auto const words = words_on(body, 0.95);
     EXPECT_EQ(words.against,
               (Lines{"not conservative: 1 of 42 trials that uplifted and were predicted safe overturned (2.38 %; 95 %: "
-                     "0.0603 % to 12.6 %), in 1 of 41 waves"}));
+                     "0.0602 % to 12.6 %), in 1 of 41 waves"}));
     EXPECT_TRUE(words.supports.empty());
 }
 
@@ -85,7 +85,7 @@ TEST(CriterionWords, FalseAlarmsAreWeighedByHalf) {
     auto const open = words_on(body, 0.95).open;
     EXPECT_TRUE(holds(open,
                       "perhaps half of its alarms at these levels are false (too few trials): of 8 trials "
-                      "predicted unsafe, 6 did not overturn (75 %; 95 %: 34.9 % to 96.8 %)"));
+                      "predicted unsafe, 6 did not overturn (75 %; 95 %: 34.9 % to 96.9 %)"));
     EXPECT_TRUE(holds(open, "first overturning of each wave: median 2.4, 5th percentile 1.7"));
     body.verdict->false_alarms = Speaks::against;
     EXPECT_TRUE(holds(words_on(body, 0.95).against, "more than half of its alarms at these levels are false: of 8"));

@@ -73,7 +73,7 @@ TEST(HandCheck, SaysSoBeforeItsNumber) {
         auto const check = checked_by(curve_with_median(median));
         return output::hand_check_lines(spec, std::span(&check, 1)).back();
     };
-    EXPECT_TRUE(line(5).starts_with("type-b: unsafe, do not quote (the simulated median is ")) << line(5);
+    EXPECT_TRUE(line(5).starts_with("type-b: unsafe, do not quote (half overturn at ")) << line(5);
     EXPECT_TRUE(line(7).starts_with("type-b: overturns above ")) << line(7);
 }
 

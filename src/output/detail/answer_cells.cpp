@@ -63,11 +63,14 @@ std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words) {
     if (!fit.identifiable()) {
         return fmt::format("no curve ({})", state_words(fit.state, fit.passing));
     }
+    auto const& ends = fit.intervals().hclpf;
+    if (ends && ends->lower <= 0) {
+        return fmt::format("unknown: {} waves do not limit it from below", fit.waves);
+    }
     if (!fit.hclpf()) {
         std::string const missing = "unknown: beta_U of the body is not stated";
         return words.low_point ? fmt::format("{}; 5 % point {}", missing, text(*fit.five_percent_point())) : missing;
     }
-    auto const& ends = fit.intervals().hclpf;
     auto const stated = fit.beta_u > fit.beta_u_drawn
                             ? fmt::format("; by beta_U {:.3g}{}", fit.beta_u, words.beta_u_assumed ? ", assumed" : "")
                             : std::string();

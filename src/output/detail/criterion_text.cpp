@@ -14,8 +14,10 @@ std::string share_line(char const* what, Share const& share) {
     if (share.of == 0) {
         return fmt::format("    {}: no such trials\n", what);
     }
-    auto const ends = std::isnan(share.interval.lower) ? std::string() : " " + interval_text(share.interval);
-    return fmt::format("    {}: {} of {} = {:.3g}{}\n", what, share.count, share.of, share.value(), ends);
+    auto const ends = std::isnan(share.interval.lower)
+                          ? std::string()
+                          : fmt::format(" = {:.3g} {}", share.value(), interval_text(share.interval));
+    return fmt::format("    {}: {} of {}{}\n", what, share.count, share.of, ends);
 }
 
 std::string criterion_text(MeasuredCriterion const& criterion) {

@@ -4,13 +4,16 @@
 
 #include <fmt/format.h>
 
+#include "core/outward.hpp"
+
 namespace overturn::output {
 namespace {
 
 std::string percent(double share) { return fmt::format("{:.3g} %", 100 * share); }
 
 std::string ends(Share const& share) {
-    return fmt::format("{} to {}", percent(share.interval.lower), percent(share.interval.upper));
+    return fmt::format("{} to {}", percent(rounded_down(share.interval.lower)),
+                       percent(rounded_up(share.interval.upper)));
 }
 
 std::vector<std::string>& list_of(CriterionWords& words, Speaks speaks) {
@@ -28,7 +31,8 @@ void say_none_false(CriterionWords& words, Safety safety, CriterionStudy const& 
         safety == Safety::conservative ? "conservative here: "
         : safety == Safety::few_waves  ? "too few waves to call it conservative: "
                                        : "",
-        tried.of, study.safe_but_overturned.of - tried.of, waves.of, percent(waves.interval.upper), 100 * confidence));
+        tried.of, study.safe_but_overturned.of - tried.of, waves.of, percent(rounded_up(waves.interval.upper)),
+        100 * confidence));
     if (study.at_overturning) {
         list.push_back(fmt::format(
             "the lowest V_WES / V_Ereq at which a trial overturned is {:.3g} (of these waves: more may go below)",

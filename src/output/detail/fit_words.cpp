@@ -57,10 +57,11 @@ std::string bracket_text(Interval const& bracket, IntensityUnit const& unit) {
 std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
     auto text = fmt::format(
         "no curve, because {} at lower levels than those that {} (at most one level has both): beta cannot be "
-        "estimated; the median is {}",
+        "estimated; half of these trials {} {}",
         fit.passing == Passing::exceeded ? "all trials that keep within it are" : "all trials that stand are",
+        fit.passing == Passing::exceeded ? "exceed it" : "overturn",
         fit.passing == Passing::exceeded ? "exceed it" : "overturn", bracket_text(fit.isotonic_median, unit));
-    if (fit.penalised) {
+    if (fit.penalised && (fit.waves == 0 || fit.waves >= least_waves)) {
         text += fmt::format("; penalised (Firth) median {}, beta {:.3g}",
                             unit.text(std::exp(fit.penalised->log_median())), fit.penalised->beta());
     }
@@ -199,8 +200,10 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
                            fit.identifiable() ? "; its intervals include both extremes (all stood, all fell)" : ""));
     }
     if (fit.identifiable()) {  // without a curve nothing is resampled
-        add_if(FragilityFlag::few_waves, fmt::format("only {} {}: the intervals are widened for so few", fit.waves,
-                                                     fit.group_size > 1 ? "groups of waves" : "waves"));
+        add_if(FragilityFlag::few_waves,
+               fmt::format(
+                   "only {} {}{}", fit.waves, fit.group_size > 1 ? "groups of waves" : "waves",
+                   fit.method == FragilityFit::Method::wider_of_both ? ": the intervals are widened for so few" : ""));
     }
     add_if(FragilityFlag::waves_left_out,
            fmt::format("curves and bootstrap use the first {} waves (2 million trials)", fit.waves));

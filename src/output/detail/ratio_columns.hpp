@@ -1,6 +1,7 @@
 /// Columns of shares and of quantiles of a ratio.
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -15,7 +16,9 @@ void add_share(TableOf<Row>& table, std::string const& name, std::string const& 
     auto const any = [get](auto of) {
         return [get, of](Row const& row) {
             auto const& share = get(row);
-            return share.of > 0 ? std::optional(of(share)) : std::nullopt;
+            bool const known =
+                share.of > 0 && !std::isnan(share.interval.lower);  // else counts of waves that are no sample
+            return known ? std::optional(of(share)) : std::nullopt;
         };
     };
     table.add(name, "1", meaning, any([](Share const& share) { return share.value(); }))
