@@ -136,7 +136,7 @@ double coverage_of_few(int waves, bool of_median, int repetitions) {
             }
         }
         FragilityRequest request;
-        request.bootstrap = {19, r, 200};
+        request.bootstrap = {19, r, 1000};
         FragilityData data;
         data.points = points_of(trials, 64);
         data.trials = trials;

@@ -1,0 +1,116 @@
+// Requirement R-703: curves of few waves: none below five, intervals no shorter than any theory gives them, no HCLPF
+// that is not limited from below.
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include <gsl/gsl_cdf.h>
+#include <gtest/gtest.h>
+
+#include "stats/bootstrap.hpp"
+#include "stats/detail/few_capacities.hpp"
+#include "stats/fragility.hpp"
+
+namespace overturn {
+namespace {
+
+// Every wave at one of four levels; the higher it is, the more of them fall.
+FragilityData one_trial_each(int waves) {
+    FragilityData data;
+    for (int wave = 0; wave < waves; ++wave) {
+        int const level = wave % 4;
+        bool const fell = level == 3 || (level == 2 && wave / 4 % 2 == 0) || (level == 1 && wave / 4 % 2 == 1);
+        data.trials.push_back({std::exp(0.3 * level), wave, fell, wave});
+    }
+    data.points = points_of(data.trials, 64);
+    data.waves_shared = true;
+    return data;
+}
+
+bool contains(Interval const& whole, Interval const& part) {
+    return whole.lower <= part.lower && part.upper <= whole.upper;
+}
+
+TEST(FewWaves, IntervalsHoldThoseOfEveryMethod) {
+    FragilityRequest request;
+    request.beta_u = 0.2;
+    auto const fit = fit_fragility(one_trial_each(28), request);
+    ASSERT_TRUE(fit.identifiable());
+    EXPECT_EQ(fit.method, FragilityFit::Method::wider_of_both);
+    FewCapacities const few(*fit.line, 28, 0.95);
+    for (auto const* method : {&*fit.profile, &*fit.bootstrap}) {
+        EXPECT_TRUE(contains(fit.intervals().median, method->median));
+        EXPECT_TRUE(contains(fit.intervals().beta, method->beta));
+        EXPECT_TRUE(contains(fit.intervals().five_percent_point, method->five_percent_point));
+        EXPECT_TRUE(contains(*fit.intervals().hclpf, *method->hclpf));
+    }
+    EXPECT_TRUE(contains(fit.intervals().median, few.median()));
+    EXPECT_TRUE(contains(fit.intervals().five_percent_point, few.intensity(0.05)));
+    auto const others = hull(fit.bootstrap->five_percent_point, few.intensity(0.05));
+    EXPECT_LT(fit.profile->five_percent_point.lower, 0.99 * others.lower) << "the control: the profile widens it";
+}
+
+TEST(FewWaves, OfFewerThanFiveThereIsNoCurve) {
+    FragilityData data;
+    for (int wave = 0; wave < 5; ++wave) {
+        for (int level = 0; level < 4; ++level) {
+            data.trials.push_back({std::exp(0.3 * level), wave, level > wave % 3, wave});
+        }
+    }
+    data.waves_shared = true;
+    auto four = data;
+    four.trials.resize(16);
+    for (auto* of : {&data, &four}) {
+        of->points = points_of(of->trials, 64);
+    }
+    EXPECT_EQ(fit_fragility(data, {}).state, FragilityState::fitted);
+    auto const fit = fit_fragility(four, {});
+    EXPECT_EQ(fit.state, FragilityState::few_waves);
+    EXPECT_FALSE(fit.identifiable());
+    EXPECT_EQ(fit.waves, 4);
+}
+
+TEST(FewWaves, HclpfThatNothingLimitsIsNotKnown) {
+    FragilityFit fit;
+    fit.line = ProbitLine{0, 1 / 0.3};
+    fit.beta_u = 0.3;
+    fit.beta_u_known = true;
+    fit.ends.emplace();
+    fit.ends->hclpf = Interval{0.1, 1};
+    EXPECT_NEAR(fit.hclpf().value_or(0), std::exp(-1.645 * 0.6), 1e-3);
+    fit.ends->hclpf = Interval{0, 1};
+    EXPECT_FALSE(fit.hclpf().has_value());
+    EXPECT_FALSE(fit.one_percent_point().has_value());
+}
+
+// Hesterberg (2015): Student's t for the normal quantile, and the scatter that resampling loses.
+TEST(FewWaves, AreReadAtAHigherConfidence) {
+    EXPECT_EQ(resampled_confidence(0.95, 30), 0.95);
+    EXPECT_EQ(resampled_confidence(0.95, 1), 1);
+    constexpr double t_of_nine = 2.2621572;
+    EXPECT_NEAR(resampled_confidence(0.95, 10), 2 * gsl_cdf_ugaussian_P(t_of_nine * std::sqrt(10.0 / 9)) - 1, 1e-8);
+}
+
+// ISO 16269-6 (2014), one-sided tolerance factors of 95 % of a normal population with 95 % confidence; Student's t and
+// chi-squared of nine degrees of freedom.
+TEST(FewCapacities, MeetPublishedFactors) {
+    struct Published {
+        std::int64_t waves;
+        double factor;
+    };
+    for (auto const& [waves, factor] : {Published{5, 4.203}, Published{10, 2.911}, Published{20, 2.396}}) {
+        auto const n = static_cast<double>(waves);
+        double const beta = 0.4 / std::sqrt(n / (n - 1));  // so that the deviation is 0.4
+        FewCapacities const few({0, 1 / beta}, waves, 0.9);
+        EXPECT_NEAR(-std::log(few.intensity(0.05).lower) / 0.4 / factor, 1, 0.015) << waves;
+    }
+    double const beta = 0.4 * std::sqrt(0.9);
+    FewCapacities const ten({0, 1 / beta}, 10, 0.95);
+    EXPECT_NEAR(std::log(ten.median().upper), 2.2621572 * 0.4 / std::sqrt(10), 1e-6);
+    EXPECT_NEAR(ten.beta().lower, 0.4 * std::sqrt(9 / 19.0227678), 1e-6);
+    EXPECT_NEAR(ten.beta().upper, 0.4 * std::sqrt(9 / 2.7003895), 1e-6);
+    EXPECT_NEAR(ten.probability(1).lower, gsl_cdf_ugaussian_P(-1.959964 / std::sqrt(10)), 1e-6);
+}
+
+}  // namespace
+}  // namespace overturn
