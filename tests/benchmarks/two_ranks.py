@@ -1,0 +1,72 @@
+#!/usr/bin/env python3
+"""How many times faster two ranks are than one: every campaign, in one run.
+
+    two_ranks.py PROGRAM [--mpirun MPIRUN] [--campaigns DIR] [--seconds 8] [--repetitions 3] [--only WORD]
+
+Campaigns whose waves can be counted take so many waves that one rank needs about --seconds by its plan, and never fewer than eight. A run on
+one rank and one on two follow each other --repetitions times. Printed are medians of wall time, their ratio, and the ratio of the work
+alone: start, reading and what one rank does at the end are taken from both by a run of two waves. The machine must have two free cores:
+nothing here can tell a slow program from a busy neighbour."""
+
+import argparse
+import json
+import os
+import pathlib
+import re
+import statistics
+import subprocess
+import tempfile
+import time
+
+MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
+FEW = 2
+
+
+def seconds_of(command, folder):
+    began = time.perf_counter()
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, env=os.environ | MPI)
+    if done.returncode != 0:
+        raise RuntimeError(f"{' '.join(map(str, command))}: {done.stderr[-400:]}")
+    return time.perf_counter() - began, done.stdout
+
+
+def waves_for(program, campaign, seconds):
+    """As many waves as one rank computes in so many seconds; none where the campaign's waves are not counted."""
+    if not re.search(r"^count\b", campaign.read_text(), re.MULTILINE):
+        return None
+    plan = json.loads(seconds_of([program, "plan", campaign, "--json"], None)[1])
+    one = next(ranks for ranks in plan["ranks"] if ranks["ranks"] == 1)
+    return max(8, 2 * round(seconds * plan["waves"] / one["work_s"] / 2))
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("program", type=lambda text: pathlib.Path(text).resolve())
+    parser.add_argument("--mpirun", default="mpirun")
+    parser.add_argument("--campaigns", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2] / "campaigns")
+    parser.add_argument("--seconds", type=float, default=8)
+    parser.add_argument("--repetitions", type=int, default=3)
+    parser.add_argument("--only", default="")
+    options = parser.parse_args()
+    print("| campaign | waves | one rank | two ranks | times faster | its work alone |\n|---|---|---|---|---|---|", flush=True)
+    for campaign in sorted(options.campaigns.resolve().glob("*.toml")):
+        if options.only not in campaign.stem:
+            continue
+        waves = waves_for(options.program, campaign, options.seconds)
+        if waves is None:
+            continue
+        taken = {(count, ranks): [] for count in (FEW, waves) for ranks in (1, 2)}
+        for _ in range(options.repetitions):
+            for count, ranks in taken:
+                with tempfile.TemporaryDirectory() as folder:
+                    command = [options.mpirun, "-n", str(ranks), options.program, "run", campaign, "--set", f"waves.count={count}",
+                               "-o", "r.h5"]
+                    taken[count, ranks].append(seconds_of(command, folder)[0])
+        middle = {run: statistics.median(times) for run, times in taken.items()}
+        alone = [middle[waves, ranks] - middle[FEW, ranks] for ranks in (1, 2)]
+        print(f"| {campaign.stem} | {waves} | {middle[waves, 1]:.2f} s | {middle[waves, 2]:.2f} s | {middle[waves, 1] / middle[waves, 2]:.2f} | "
+              f"{alone[0] / alone[1]:.2f} |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
