@@ -135,7 +135,7 @@ Table hand_check_table(CampaignSpec const& spec, std::span<HandCheck const> chec
              "median of the simulated curve; without one the lowest level at which half overturned; NaN: none",
              [](Row const& row) { return row.simulated_median; })
         .add("unsafe", "1", "1: above the simulated median, not to be quoted; NaN: nothing to compare with",
-             [](Row const& row) { return row.is_compared() ? std::optional(row.is_unsafe()) : std::nullopt; })
+             [](Row const& row) { return row.simulated_median ? std::optional(row.is_unsafe()) : std::nullopt; })
         .add("rotation_ratio", "1", "rotation there over alpha",
              [=](Row const& row) { return row.rocking.rotation_rad / body_of(row).body.alpha_rad(); })
         .add("frequency", "Hz", "effective frequency there", [](Row const& row) { return row.rocking.frequency_hz; })

@@ -31,8 +31,6 @@ struct HandCheck {
 
     /// Does the body overturn at lower levels by simulation? The calculation by hand is then not to be quoted.
     [[nodiscard]] bool is_unsafe() const { return simulated_median && overturning_level > *simulated_median; }
-    /// Was there anything to compare with?
-    [[nodiscard]] bool is_compared() const { return simulated_median.has_value(); }
 };
 
 /// Checks of the bodies as stated, undrawn. Overturning neglects a vertical component, which is unsafe; the output says

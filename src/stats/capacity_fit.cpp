@@ -293,13 +293,8 @@ FragilityFit fragility_of(std::span<Capacity const> capacities, FragilityRequest
     fit.ends = fit.profile;
     if (std::ssize(capacities) < waves_enough_to_resample) {  // the profile likelihood of so few is short too
         FewCapacities const few(*line, std::ssize(capacities), c);
-        auto const by_few = intervals_of(few.median(), few.beta(), few.intensity(five_percent), request);
         fit.method = FragilityFit::Method::wider_of_both;
-        fit.ends = {hull(fit.profile->median, by_few.median), hull(fit.profile->beta, by_few.beta),
-                    hull(fit.profile->five_percent_point, by_few.five_percent_point), std::nullopt};
-        if (by_few.hclpf) {
-            fit.ends->hclpf = hull(*fit.profile->hclpf, *by_few.hclpf);
-        }
+        widen(*fit.ends, intervals_of(few.median(), few.beta(), few.intensity(five_percent), request));
     }
     raise_flags(fit, capacities.size());
     return fit;

@@ -76,15 +76,6 @@ Bootstrap resample(std::span<FragilityPoint const> points, std::span<SingleTrial
     return refits;
 }
 
-void widen(Intervals& to, Intervals const& by) {
-    to.median = hull(to.median, by.median);
-    to.beta = hull(to.beta, by.beta);
-    to.five_percent_point = hull(to.five_percent_point, by.five_percent_point);
-    if (to.hclpf) {
-        to.hclpf = hull(*to.hclpf, by.hclpf.value_or(Interval{0, infinite}));
-    }
-}
-
 // An extreme that holds no curve leaves every end open.
 constexpr Intervals all_open{{0, infinite}, {0, infinite}, {0, infinite}, std::nullopt};
 
@@ -111,6 +102,15 @@ std::vector<FragilityPoint> undecided_shares(FragilityData const& data) {
 }
 
 }  // namespace
+
+void widen(Intervals& to, Intervals const& by) {
+    to.median = hull(to.median, by.median);
+    to.beta = hull(to.beta, by.beta);
+    to.five_percent_point = hull(to.five_percent_point, by.five_percent_point);
+    if (to.hclpf) {
+        to.hclpf = hull(*to.hclpf, by.hclpf.value_or(Interval{0, infinite}));
+    }
+}
 
 FragilityFit::Intervals CurveFit::ends(FragilityFit::Method method) const {
     auto made = method == FragilityFit::Method::profile_likelihood ? profile : bootstrap;

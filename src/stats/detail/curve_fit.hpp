@@ -26,6 +26,9 @@ struct CurveFit {
     [[nodiscard]] Interval probability(double intensity, FragilityFit::Method method) const;
 };
 
+/// Each interval becomes the hull of itself and the other; HCLPF stays unknown where it was.
+void widen(FragilityFit::Intervals& to, FragilityFit::Intervals const& by);
+
 struct CurveAttempt {
     FragilityState state = FragilityState::fitted;  ///< fitted, or why there is no curve
     std::optional<CurveFit> curve;
