@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <limits>
 
 #include "core/error.hpp"
 #include "generators/acceptance.hpp"
@@ -60,7 +61,7 @@ void check_count(std::string const& text) {
 
 void check_restitution(std::string const& text) {
     if (text != "housner") {
-        check_number(text, 0, 1, "from 0 to 1, nor housner");
+        check_number(text, 0, 1, "from 0 to 1, or housner");
     }
 }
 
@@ -86,7 +87,7 @@ bool without_spectrum(StudyAnswers const& answers) { return !answers.spectrum; }
 bool of_site(StudyAnswers const& answers) { return answers.has_site(); }
 
 constexpr double largest_friction = 1e3;
-constexpr double least_beta_u = 1e-3, largest_beta_u = 5;
+constexpr double least_beta_u = std::numeric_limits<double>::min(), largest_beta_u = 5;
 
 using Answers = StudyAnswers;
 constexpr std::array questions{
@@ -153,7 +154,7 @@ constexpr std::array questions{
     StudyQuestion{"--beta-u", "0.3",
                   "beta_U for HCLPF: lognormal standard deviation of the median from uncertain properties of the cask",
                   &Answers::beta_u, [](std::string const& text) {
-                      check_number(text, least_beta_u, largest_beta_u, "from 0.001 to 5");
+                      check_number(text, least_beta_u, largest_beta_u, "above 0, at most 5");
                   }}};
 
 }  // namespace

@@ -80,6 +80,21 @@ std::vector<std::string> with_each_setting(int argc, char const* const* argument
     return words;
 }
 
+// A variable of the shell that is not set: the parser takes an option of it as one that was not given.
+std::string empty_argument(std::vector<std::string> const& words) {
+    for (std::size_t i = 1; i < words.size(); ++i) {
+        auto const& word = words[i];
+        bool const option_of_none = word.starts_with("--") && word.find('=') == word.size() - 1;
+        if (word.empty() || option_of_none) {
+            auto const name = option_of_none ? word.substr(0, word.size() - 1) : words[i - 1];
+            bool const of_option = name.starts_with('-');
+            return fmt::format("{}'' (empty: a shell variable that is not set?). State a value, or leave {} out",
+                               of_option ? name + " " : "", of_option ? "the option" : "it");
+        }
+    }
+    return {};
+}
+
 // Help whose lines fit a terminal.
 class NarrowHelp : public CLI::Formatter {
     [[nodiscard]] std::string make_option_desc(CLI::Option const* option) const override {
@@ -151,6 +166,10 @@ Verb CommandLine::verb(std::string const& name, std::string const& help) {
 int CommandLine::run(int argc, char const* const* arguments) {
     try {
         auto words = with_each_setting(argc, arguments);
+        if (auto const empty = empty_argument(words); !empty.empty()) {
+            print_error_once(empty);
+            return bad_input;
+        }
         words.erase(words.begin(), words.begin() + std::min(argc, 1));
         std::ranges::reverse(words);  // as the parser takes them
         parser_->parse(words);

@@ -45,8 +45,7 @@ std::string ranged(Key const& key) {
     if (std::isinf(range.low) && std::isinf(range.high)) {
         return quantity;
     }
-    bool const bounded = std::isfinite(range.low) && std::isfinite(range.high);
-    return fmt::format("{} {}{}", quantity, bounded ? "in " : "", range.text());
+    return fmt::format("{} {}", quantity, range.text());
 }
 
 std::string integer_text(Key const& key) {

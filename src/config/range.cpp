@@ -24,7 +24,10 @@ std::string Range::text() const {
     if (no_low) {
         return fmt::format("{} {}", high_open ? "below" : "at most", high);
     }
-    return fmt::format("{}{}, {}{}", low_open ? "(" : "[", low, high, high_open ? ")" : "]");
+    if (!low_open && !high_open) {
+        return fmt::format("from {} to {}", low, high);
+    }
+    return fmt::format("{} {}, {} {}", low_open ? "above" : "from", low, high_open ? "below" : "at most", high);
 }
 
 }  // namespace overturn::config

@@ -42,17 +42,18 @@ std::string design_text(Shift const& shift) {
                        shift.design_no_longer, shift.design_p_value);
 }
 
+// The input with its value; below it a line for each changed value.
 void append_row(std::string& text, Sensitivity const& study, SensitivityRow const& row) {
     auto const& input = study.inputs[row.input];
+    text += wrapped(fmt::format("  {} = {}", fmt::join(input.keys, ", "), input.value), 4);
     for (std::size_t end = 0; end < input.ends.size(); ++end) {
-        auto const name = end == 0 ? fmt::format("{}", fmt::join(input.keys, ", ")) : "";
-        text += fmt::format("  {:<34} {:>14} {:>14}", name, end == 0 ? input.value : "", input.ends.at(end));
         if (auto const& shift = row.ends.at(end)) {
-            text += fmt::format("  {:<28} {:>13}{}\n", median_text(*shift),
-                                fmt::format("+{} -{} of {}", shift->passed, shift->no_longer, shift->compared),
+            text += fmt::format("    {:>12}  {:<28} {:>11}{}\n", input.ends.at(end), median_text(*shift),
+                                fmt::format("+{} -{}", shift->passed, shift->no_longer),
                                 study.design_basis ? "  " + design_text(*shift) : "");
         } else {
-            text += fmt::format("  refused: {}\n", input.refused.at(end));
+            text += wrapped("refused: " + input.refused.at(end), 18, line_width,
+                            fmt::format("    {:>12}  ", input.ends.at(end)));
         }
     }
 }
@@ -80,10 +81,12 @@ std::string largest_effect(Sensitivity const& study) {
                                study.limits[row.limit], percent(*shift->median_ratio));
             auto const unmoved = std::ranges::find_if(
                 study.unmoved, [&](Unmoved const& one) { return one.body == row.body && one.limit == row.limit; });
-            text += study.design_basis && unmoved != study.unmoved.end()
-                        ? fmt::format("; P at the design basis is {} instead of {}", share_text(shift->at_design_basis),
-                                      share_text(unmoved->at_design_basis))
-                        : "";
+            if (study.design_basis && unmoved != study.unmoved.end()) {
+                auto const changed = share_text(shift->at_design_basis);
+                auto const before = share_text(unmoved->at_design_basis);
+                text += changed == before ? fmt::format("; P at the design basis stays {}", before)
+                                          : fmt::format("; P at the design basis is {} instead of {}", changed, before);
+            }
         }
     }
     return text.empty() ? fmt::format("No assumed value changes a median significantly ({} waves).", study.waves)
@@ -104,9 +107,9 @@ std::string sensitivity_text(Sensitivity const& study) {
                             "The waves stay the same: {} of {}.",
                             100 * usual_share, study.waves, study.campaign_waves));
     text += wrapped(fmt::format(
-        "Columns: value, changed value, change of the median over {} with its {:g} % interval by bootstrap over waves "
-        "(*: "
-        "significant; not identified: too few waves exceed the limit), verdicts newly passed and no longer passed{}.",
+        "Below each input: its changed value, change of the median over {} with its {:g} % interval by bootstrap over "
+        "waves (*: significant; not identified: too few waves exceed the limit), verdicts newly passed and no longer "
+        "passed{}.",
         study.measure, 100 * study.confidence,
         study.design_basis ? ", P at the design basis (waves that change it, exact p value)" : ""));
     for (auto const& unmoved : study.unmoved) {

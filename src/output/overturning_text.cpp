@@ -10,6 +10,7 @@
 
 #include "core/outward.hpp"
 #include "core/units.hpp"
+#include "core/wrapped.hpp"
 #include "output/detail/left_out.hpp"
 #include "rocking/closed_forms.hpp"
 
@@ -176,16 +177,17 @@ std::string text_of(OverturningSpectrum const& spectrum) {
     double const alpha_g = spectrum.alpha_g_mps2();
     if (spectrum.of_record) {
         auto const& found = spectrum.points.front().found;
-        fmt::format_to(out, "overturns from {} times the record on (PGA {:.5g} m/s2), uplifts from {:.5g} on\n{}\n",
-                       least_text(found, 1), spectrum.peak_mps2, found.uplift, ranges_text(found, 1));
+        fmt::format_to(out, "overturns from {} times the record on (PGA {:.5g} m/s2), uplifts from {:.5g} on\n{}",
+                       least_text(found, 1), spectrum.peak_mps2, found.uplift, wrapped(ranges_text(found, 1), 2));
     } else {
         fmt::format_to(out, "{:>8} {:>9} {:>9} {:>10} {:>8}  amplitudes over alpha g\n{:>8} {:>9} {:>9} {:>10} {:>8}\n",
                        "omega/p", "f", "uplifts", "overturns", "over", "", "Hz", "m/s2", "m/s2", "alpha g");
         for (auto const& point : spectrum.points) {
             auto const& found = point.found;
-            fmt::format_to(out, "{:>8.4g} {:>9.4g} {:>9.5g} {:>10} {:>8}  {}\n", spectrum.omega_over_p(point),
-                           point.frequency_hz, found.uplift, least_text(found, 1), least_text(found, alpha_g),
-                           ranges_text(found, alpha_g));
+            auto const numbers =
+                fmt::format("{:>8.4g} {:>9.4g} {:>9.5g} {:>10} {:>8}  ", spectrum.omega_over_p(point),
+                            point.frequency_hz, found.uplift, least_text(found, 1), least_text(found, alpha_g));
+            text += wrapped(ranges_text(found, alpha_g), numbers.size(), line_width, numbers);
         }
     }
     if (std::ranges::any_of(spectrum.points, &leaves_the_ground)) {

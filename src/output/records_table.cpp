@@ -29,7 +29,10 @@ std::string nearness_text(LimitState const& limit, double nearness, IntensityUni
         return fmt::format("{:.3g} of", nearness);
     }
     auto const beyond = unit.of(std::log(nearness));
-    return fmt::format("{:.3g} {} {}", std::abs(beyond), unit.symbol, beyond > 0 ? "beyond" : "to");
+    constexpr double hundred = 100;
+    auto const number =
+        std::abs(beyond) < hundred ? fmt::format("{:.3g}", std::abs(beyond)) : fmt::format("{:.0f}", std::abs(beyond));
+    return fmt::format("{} {} {}", number, unit.symbol, beyond > 0 ? "beyond" : "to");
 }
 
 // "1.3 of slides", "398 mm to touches": the limit that the response came nearest to. Of limits that only some models'

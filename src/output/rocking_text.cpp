@@ -7,6 +7,7 @@
 
 #include "core/outward.hpp"
 #include "core/units.hpp"
+#include "core/wrapped.hpp"
 #include "output/detail/left_out.hpp"
 
 namespace overturn::output {
@@ -73,10 +74,10 @@ std::string csv_of(RockingSpectrum const& spectrum) {
 }
 
 std::string text_of(RockingSpectrum const& spectrum) {
-    std::string text = fmt::format(
+    auto text = wrapped(fmt::format(
         "largest rotation over alpha under {} (PGA {:.5g} m/s2): rigid blocks on two corners, in one plane, without "
-        "slip\n",
-        spectrum.record, spectrum.pga_mps2);
+        "slip",
+        spectrum.record, spectrum.pga_mps2));
     auto const out = std::back_inserter(text);
     if (spectrum.body_period_s) {
         fmt::format_to(out, "{}: 2 pi / p = {:.5g} s\n", spectrum.body, *spectrum.body_period_s);

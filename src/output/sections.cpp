@@ -143,6 +143,10 @@ std::vector<std::string> read_sections(std::string const& text) {
     }
     auto const known = section_names();
     for (auto const part : parts_of(text, ',')) {
+        validate(part.find(' ') == std::string_view::npos,
+                 "--section '{}' (a blank in it). Write for example "
+                 "--section stripes,curves",
+                 text);
         validate(std::ranges::find(known, part) != known.end(), "--section '{}' (no such section). There are {}", part,
                  fmt::join(known, ", "));
         names.emplace_back(part);

@@ -34,8 +34,8 @@ class Edges : public ::testing::Test {
 
 /// A script's unset variable is no wish for a file in the current folder.
 TEST_F(Edges, AnEmptyOutputIsAnError) {
-    expect_refused(overturn(folder, {"run", "c.toml", "-o", ""}), "-o '' (no name");
-    expect_refused(overturn(folder, {"cost", "c.toml", "-o", ""}), "-o '' (no name");
+    expect_refused(overturn(folder, {"run", "c.toml", "-o", ""}), "-o '' (empty");
+    expect_refused(overturn(folder, {"cost", "c.toml", "-o", ""}), "-o '' (empty");
     EXPECT_FALSE(folder.has("c.h5"));
 }
 

@@ -83,7 +83,7 @@ TEST(Key, ReferenceListsPlacesOfTablesAndTypesOfKeys) {
     EXPECT_EQ(default_text(inner_keys["length"]), "required");
     EXPECT_EQ(takes_text(inner_keys["shape"]), "square, round");
     EXPECT_EQ(takes_text(inner_keys["count"]), "whole number from 1 to 9");
-    EXPECT_EQ(takes_text(inner_keys["step"]), "time [s] in [0, 1]");
+    EXPECT_EQ(takes_text(inner_keys["step"]), "time [s] from 0 to 1");
     EXPECT_EQ(default_text(inner_keys["step"]), "0.25 s");
     EXPECT_EQ(default_text(inner_keys["note"]), "optional");
     EXPECT_EQ(default_text(inner_keys["end"]), "half of it");
