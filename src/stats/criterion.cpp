@@ -13,6 +13,34 @@ Share share_of(std::int64_t count, std::int64_t of, double confidence, std::int6
     return {count, of, clopper_pearson_of_groups(count, count, of, group_size, confidence)};
 }
 
+namespace {
+
+// Trials that make up a share, and how many of them each wave gives.
+struct ShareOfTrials {
+    explicit ShareOfTrials(std::size_t waves) : of_wave(waves) {}
+
+    void add(std::size_t wave, bool counts) {
+        ++of_wave[wave];
+        count += counts ? 1 : 0;
+    }
+    // So many trials count as one where all of a wave end alike: the design effect of clusters (Kish 1965).
+    [[nodiscard]] Share made(double confidence, std::int64_t group_size) const {
+        std::int64_t all = 0;
+        std::int64_t squares = 0;
+        for (auto const trials : of_wave) {
+            all += trials;
+            squares += trials * trials;
+        }
+        auto const effect = all > 0 ? (squares + all - 1) / all : 1;
+        return share_of(count, all, confidence, effect * group_size);
+    }
+
+    std::vector<std::int64_t> of_wave;
+    std::int64_t count = 0;
+};
+
+}  // namespace
+
 std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios) {
     if (ratios.empty()) {
         return std::nullopt;
@@ -32,16 +60,23 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
     };
     auto const numbers = numbers_of_waves(trials);
     std::vector<Wave> waves(numbers.waves);
-    std::int64_t uplifted = 0;
+    ShareOfTrials safe(numbers.waves);
+    ShareOfTrials uplifted(numbers.waves);
+    ShareOfTrials overturning(numbers.waves);
+    ShareOfTrials unsafe(numbers.waves);
+    ShareOfTrials standing(numbers.waves);
     for (std::size_t i = 0; i < trials.size(); ++i) {
         auto const& trial = trials[i];
-        auto& wave = waves[numbers.of_trial[i]];
+        auto const number = numbers.of_trial[i];
+        auto& wave = waves[number];
         study.counts.add(trial.predicted_safe(), trial.overturned);
+        (trial.predicted_safe() ? safe : unsafe).add(number, trial.predicted_safe() == trial.overturned);
+        (trial.overturned ? overturning : standing).add(number, trial.predicted_safe() == trial.overturned);
         if (trial.predicted_safe()) {
             wave.predicted_safe = true;
             wave.safe_fell = wave.safe_fell || trial.overturned;
             if (trial.uplifted || trial.overturned) {
-                ++uplifted;
+                uplifted.add(number, trial.overturned);
                 wave.safe_uplifted = true;
                 wave.uplifted_fell = wave.uplifted_fell || trial.overturned;
             }
@@ -53,12 +88,11 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
             wave.highest_stand = std::fmax(wave.highest_stand, trial.ratio);
         }
     }
-    auto const& c = study.counts;
-    study.safe_but_overturned = share_of(c.false_safe, c.false_safe + c.true_safe, confidence, group_size);
-    study.overturned_predicted_safe = share_of(c.false_safe, c.false_safe + c.true_overturn, confidence, group_size);
-    study.unsafe_but_stood = share_of(c.false_alarm, c.false_alarm + c.true_overturn, confidence, group_size);
-    study.stood_predicted_unsafe = share_of(c.false_alarm, c.false_alarm + c.true_safe, confidence, group_size);
-    study.safe_uplifted_but_overturned = share_of(c.false_safe, uplifted, confidence, group_size);
+    study.safe_but_overturned = safe.made(confidence, group_size);
+    study.overturned_predicted_safe = overturning.made(confidence, group_size);
+    study.unsafe_but_stood = unsafe.made(confidence, group_size);
+    study.stood_predicted_unsafe = standing.made(confidence, group_size);
+    study.safe_uplifted_but_overturned = uplifted.made(confidence, group_size);
     auto const by_waves = [&](bool Wave::*predicted, bool Wave::*fell) {
         return share_of(std::ranges::count(waves, true, fell), std::ranges::count(waves, true, predicted), confidence,
                         group_size);

@@ -36,6 +36,7 @@ struct RatioQuantiles {
 };
 [[nodiscard]] std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios);
 
+/// In intervals of shares of trials those of one wave count as one: they may all end alike (Kish 1965).
 struct CriterionStudy {
     Confusion counts;
     Share safe_but_overturned;           ///< of all trials predicted safe: the share that must be 0

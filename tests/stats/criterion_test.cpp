@@ -7,11 +7,12 @@
 namespace overturn {
 namespace {
 
-void expect_share(Share const& share, std::int64_t count, std::int64_t of) {
+/// \param together so many trials count as one
+void expect_share(Share const& share, std::int64_t count, std::int64_t of, std::int64_t together = 1) {
     EXPECT_EQ(share.count, count);
     EXPECT_EQ(share.of, of);
-    EXPECT_EQ(share.interval.lower, clopper_pearson(count, of, 0.95).lower);
-    EXPECT_EQ(share.interval.upper, clopper_pearson(count, of, 0.95).upper);
+    EXPECT_EQ(share.interval.lower, clopper_pearson(count / together, of / together, 0.95).lower);
+    EXPECT_EQ(share.interval.upper, clopper_pearson((count + together - 1) / together, of / together, 0.95).upper);
 }
 
 TEST(CriterionStudy, CountsTrialsAndWaves) {
@@ -20,10 +21,11 @@ TEST(CriterionStudy, CountsTrialsAndWaves) {
                                              {1.0, 2, false}, {1.4, 2, false}, {0.6, 3, false}, {1.3, 3, true}};
     auto const study = study_criterion(trials, 0.95);
 
-    expect_share(study.safe_but_overturned, 2, 5);
-    expect_share(study.overturned_predicted_safe, 2, 3);
-    expect_share(study.unsafe_but_stood, 2, 3);  // at exactly 1 it is not called safe
-    expect_share(study.stood_predicted_unsafe, 2, 5);
+    // Waves give 3, 1 and 1 of the safe trials, and 2 and 1 of those that fell: 11 / 5 and 5 / 3 count as one.
+    expect_share(study.safe_but_overturned, 2, 5, 3);
+    expect_share(study.overturned_predicted_safe, 2, 3, 2);
+    expect_share(study.unsafe_but_stood, 2, 3, 2);  // at exactly 1 it is not called safe
+    expect_share(study.stood_predicted_unsafe, 2, 5, 3);
     expect_share(study.waves_safe_but_overturned, 1, 3);
     EXPECT_EQ(study.at_overturning->count, 3);
     EXPECT_EQ(study.at_overturning->median, 0.9);
@@ -48,8 +50,8 @@ TEST(CriterionStudy, CountsWhatUplifted) {
                                              {1.2, 4, true, true}};
     auto const study = study_criterion(trials, 0.95);
 
-    expect_share(study.safe_but_overturned, 1, 6);
-    expect_share(study.safe_uplifted_but_overturned, 1, 3);
+    expect_share(study.safe_but_overturned, 1, 6, 3);  // of waves with 3, 2 and 1
+    expect_share(study.safe_uplifted_but_overturned, 1, 3, 2);
     expect_share(study.waves_safe_but_overturned, 1, 3);
     expect_share(study.waves_safe_uplifted_but_overturned, 1, 2);
 }
@@ -67,6 +69,22 @@ TEST(CriterionStudy, WavesThatShareADrawAreWavesStill) {
     EXPECT_EQ(grouped.first_overturning->median, alone.first_overturning->median);
     EXPECT_EQ(grouped.waves_safe_uplifted_but_overturned.of, 40);
     EXPECT_EQ(grouped.waves_safe_uplifted_but_overturned.interval.upper, clopper_pearson(0, 5, 0.95).upper);
+}
+
+// 100 waves whose ten trials end alike hold no more than 100 trials, and those of a wave each hold all.
+TEST(CriterionStudy, TrialsOfOneWaveAreNotIndependent) {
+    std::vector<CriterionTrial> alike;
+    std::vector<CriterionTrial> single;
+    for (std::int64_t wave = 0; wave < 100; ++wave) {
+        for (int level = 0; level < 10; ++level) {
+            alike.push_back({0.9, wave, wave < 7});
+            single.push_back({0.9, 10 * wave + level, wave < 7});
+        }
+    }
+    auto const of_waves = study_criterion(alike, 0.95);
+    expect_share(of_waves.safe_but_overturned, 70, 1000, 10);
+    EXPECT_EQ(of_waves.safe_but_overturned.interval.upper, of_waves.waves_safe_but_overturned.interval.upper);
+    expect_share(study_criterion(single, 0.95).safe_but_overturned, 70, 1000);
 }
 
 TEST(CriterionStudy, NothingOverturnedHasNoQuantiles) {
