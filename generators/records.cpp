@@ -144,7 +144,7 @@ Record read_motion(config::Table const& table, std::string_view key, std::string
             placed.says += fmt::format(", check its unit: {}", odd);
         }
         auto const record_of = [&](GroundMotion motion, std::string says) {
-            return Record{std::move(motion), std::move(says), placed.direction, 0, {}, {}, {}};
+            return Record{std::move(motion), std::move(says), placed.direction, 0, {}, {}, {}, {}};
         };
         auto const step = request.record.time_step_s;
         if (!step || same_step(*step, placed.motion.time_step_s)) {
@@ -275,11 +275,13 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
         for (auto const& name : waves.texts(record_files_keys["files"])) {
             records.push_back(read_file(waves, request, in_folder(folder, name), station_files, files));
             records.back().name = name;
+            records.back().recording = station_files.recording_of(in_folder(folder, name));
         }
     } else {
         for (auto const& table : waves.children(record_files_keys["records"])) {
             records.push_back(read_table(table, station_files, files, folder));
             records.back().name = table.has("horizontal") ? table.text(record_keys["horizontal"]) : std::string();
+            records.back().recording = station_files.recording_of(in_folder(folder, records.back().name));
         }
     }
     if (records.empty()) {

@@ -12,6 +12,7 @@
 
 #include "config/table.hpp"
 #include "core/input_files.hpp"
+#include "core/shared_draws.hpp"
 #include "core/shared_rows.hpp"
 #include "generators/acceptance.hpp"
 #include "generators/drawn_target.hpp"
@@ -88,7 +89,7 @@ struct WaveDescription {
     /// Are all waves of one spectrum or density, matched to it or not, so that they differ by random phases alone?
     /// Their trials cannot show which measure of intensity is the better one among motions of several events and sites.
     bool of_one_spectrum = false;
-    std::int64_t waves_per_draw = 1;  ///< so many in a row may share what was drawn, and are no independent samples
+    SharedDraws shared = {};  ///< waves that may share what was drawn, or are components of one recording
     /// The periods at which its waves are compared with what its target states; nothing if there is none.
     std::optional<ComparedPeriods> compared_periods = {};
     std::optional<TargetPga> target_pga = {};  ///< of the horizontal target, where it is known

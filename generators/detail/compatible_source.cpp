@@ -47,9 +47,9 @@ SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<Fu
               .draws_events = variability_ && variability_->parted(),
               .stated_sigma = stated_sigma(),
               .of_one_spectrum = !variability_,
-              .waves_per_draw = variability_ ? static_cast<std::int64_t>(variability_->input().per_target
-                                                                         * variability_->input().targets_per_event)
-                                             : 1,
+              .shared = {variability_ ? static_cast<std::int64_t>(variability_->input().per_target
+                                                                  * variability_->input().targets_per_event)
+                                      : 1},
               // What lies beyond the target's own ends is compared with nothing that anybody stated.
               .compared_periods =
                   ComparedPeriods{target.first_period_s(), std::min(request.input.longest_s, target.last_period_s())},

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <map>
 #include <span>
 #include <string_view>
 
@@ -30,6 +31,19 @@ WaveDescription description_of(std::span<Record const> records) {
         auto const has = [&](Samples const& component) { return !record.withheld.empty() || peak_of(component) > 0; };
         about.measured.push_back(
             {record.name, record.drift, has(record.motion.transverse_mps2), has(record.motion.vertical_mps2)});
+    }
+    std::map<std::string_view, std::int64_t> numbers;
+    std::map<std::int64_t, std::int64_t> rows;
+    for (auto const& record : records) {
+        auto const [at, is_new] = numbers.try_emplace(record.recording, std::ssize(numbers));
+        about.shared.of.push_back(at->second);
+        about.shared.most = std::max(about.shared.most, ++rows[at->second]);
+    }
+    if (about.shared.most == 1) {
+        about.shared.of.clear();
+    } else {
+        about.variability =
+            fmt::format("{} recorded motions of {} recordings, as chosen", records.size(), numbers.size());
     }
     about.text += records.size() > most ? fmt::format("; and {} more", records.size() - most) : "";
     return about;

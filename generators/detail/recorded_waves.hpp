@@ -22,8 +22,9 @@ struct Record {
     Direction direction = Direction::unknown;
     double turned_rad = 0;
     Drift drift;
-    std::string withheld;  ///< name of a file that is not there
-    std::string name;      ///< of its file (of the horizontal component's), as the campaign says it
+    std::string withheld;   ///< name of a file that is not there
+    std::string name;       ///< of its file (of the horizontal component's), as the campaign says it
+    std::string recording;  ///< what the components of one station and event have in common
 };
 
 /// Largest difference between two recordings of one motion, over their largest sample [-]: files hold rounded values.

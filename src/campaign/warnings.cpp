@@ -165,17 +165,40 @@ void add_motions(CampaignSpec const& spec, Lines& lines) {
     }
 }
 
+// Components of one station and event are felt by one cask at one time.
+std::string warning_of_shared_recordings(WaveSource const& source) {
+    auto const& shared = source.about().shared;
+    auto const waves = std::ssize(shared.of);
+    std::int64_t second = 1;
+    while (std::ranges::find(shared.of.begin(), shared.of.begin() + second, shared(second))
+           == shared.of.begin() + second) {
+        ++second;
+    }
+    auto const first = std::ranges::find(shared.of, shared(second)) - shared.of.begin();
+    return fmt::format(
+        "Records {} and {} ('{}', '{}') are components of one recording: the {} rows are {} recordings. Up to {} rows "
+        "of "
+        "one are resampled together and count as one in intervals of proportions; this is conservative. Keep one row "
+        "of each, with its other component as transverse where the body moves in space",
+        first + 1, second + 1, source.about().measured[first].name, source.about().measured[second].name, waves,
+        shared.among(waves), shared.most);
+}
+
 }  // namespace
 
 std::string warning_of_shared_draws(CampaignSpec const& spec) {
-    auto const shared = spec.source->about().waves_per_draw;
-    return shared == 1
-               ? std::string()
-               : fmt::format(
-                   "Groups of {0} waves share a drawn target. They are resampled together and count as one wave "
-                   "in intervals of proportions; this is conservative. Use independent waves (per_target = 1, "
-                   "targets_per_event = 1) for narrower intervals",
-                   shared);
+    auto const& shared = spec.source->about().shared;
+    if (shared.most == 1) {
+        return {};
+    }
+    if (!shared.of.empty()) {
+        return warning_of_shared_recordings(*spec.source);
+    }
+    return fmt::format(
+        "Groups of {0} waves share a drawn target. They are resampled together and count as one wave "
+        "in intervals of proportions; this is conservative. Use independent waves (per_target = 1, "
+        "targets_per_event = 1) for narrower intervals",
+        shared.most);
 }
 
 std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, GroundMotion const& motion,

@@ -23,6 +23,7 @@
 #include "output/summary_tables.hpp"
 #include "results/analysis.hpp"
 #include "results/hazard_frequency.hpp"
+#include "stats/bootstrap.hpp"
 #include "stats/rank.hpp"
 
 namespace overturn::cli {
@@ -71,7 +72,11 @@ int fit_stripes(FitOptions const& options) {
             request.quotes.push_back({multiple * basis, multiple});
         }
     }
-    auto const data = FragilityData::of_stripes(stripes);
+    auto data = FragilityData::of_stripes(stripes);
+    // A table does not state whether its levels share their waves: two to four at each may be the same ones. Trials
+    // that are alone at their levels are of as many waves.
+    auto const most = std::ranges::max(stripes, {}, &Stripe::trials).trials;
+    data.few_waves = most > 1 && most < least_waves ? most : 0;
     measured.fit = fit_fragility(data, request);
     measured.rank_area = rank_area(data.points);
     std::optional<HazardCurve> hazard;

@@ -17,6 +17,7 @@
 #include "spectra/band_rule.hpp"
 #include "spectra/input_energy.hpp"
 #include "spectra/response_spectrum.hpp"
+#include "stats/bootstrap.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn::cli {
@@ -26,19 +27,19 @@ using Rows = std::vector<std::vector<double>>;  // by wave, by period
 
 SpectrumBand band_of(Rows const& rows) {
     constexpr double low = 0.15865525393145707;  // of a normal's one standard deviation
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     SpectrumBand band;
     std::vector<double> column(rows.size());
     for (std::size_t period = 0; period < rows.front().size(); ++period) {
         std::ranges::transform(rows, column.begin(), [&](auto const& row) { return row[period]; });
         std::ranges::sort(column);
         bool const known = !std::isnan(column.front()) && !std::isnan(column.back());
-        auto const at = [&](double q) {
-            return known ? quantile(column, q) : std::numeric_limits<double>::quiet_NaN();
-        };
-        band.p16.push_back(at(low));
+        auto const at = [&](double q) { return known ? quantile(column, q) : unknown; };
+        bool const few = std::ssize(rows) < least_waves;  // no standard deviation of these
+        band.p16.push_back(few ? unknown : at(low));
         band.p50.push_back(at(0.5));
-        band.p84.push_back(at(1 - low));
-        band.highest.push_back(known ? column.back() : std::numeric_limits<double>::quiet_NaN());
+        band.p84.push_back(few ? unknown : at(1 - low));
+        band.highest.push_back(known ? column.back() : unknown);
     }
     return band;
 }

@@ -21,8 +21,9 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
             design_basis_ = level.value;
         }
     }
-    std::ranges::transform(waves, std::back_inserter(groups_),
-                           [&](PreparedWave const& wave) { return wave.number / spec.source->about().waves_per_draw; });
+    std::ranges::transform(waves, std::back_inserter(groups_), [&](PreparedWave const& wave) {
+        return spec.source->about().shared(static_cast<std::int64_t>(wave.number));
+    });
     std::size_t const together = waves_together(plan);
     auto const each = selector.extra_bytes();
     std::size_t const per_wave = plan.trials_per_wave();

@@ -27,7 +27,7 @@ constexpr std::uint64_t bootstrap_stream = 0x5E45;  // of draws that nothing els
 
 // How often each wave of the sample is drawn in every replicate; waves that share a target come together.
 std::vector<std::vector<double>> drawn_weights(CampaignSpec const& spec, std::span<std::int64_t const> numbers) {
-    std::int64_t const group_size = spec.source->about().waves_per_draw;
+    std::int64_t const group_size = spec.source->about().shared.most;
     std::vector<std::vector<std::size_t>> groups;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (i == 0 || numbers[i] / group_size != numbers[i - 1] / group_size) {
@@ -64,7 +64,7 @@ class SensitivityRunner {
         validate(!no_sample(spec_, plan_.waves()),
                  "{}: {} recorded motions (no probability, which needs {} or more, and no median that an input could "
                  "move). State more of them",
-                 input.name, plan_.waves(), least_records);
+                 input.name, spec_.source->about().shared.among(plan_.waves()), least_records);
         measure_nothing(spec_);
         numbers_ = spread_over(std::min(waves == 0 ? usual_waves : waves, plan_.waves()), plan_.waves());
         for (auto const number : numbers_) {

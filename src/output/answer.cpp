@@ -58,8 +58,15 @@ class SheetMaker {
         }
         auto const waves = waves_text(of_.statistics.waves(), of_.spec.source->about().acceptance, of_.confidence);
         return fmt::format("{}; {:g} % intervals{}", waves.empty() ? count_text(of_.statistics.waves().waves) : waves,
-                           100 * of_.confidence,
-                           shows_responses_ ? "; slip and tilt: median / 95th percentile (<= its upper end)" : "");
+                           100 * of_.confidence, shows_responses_ ? "; slip and tilt: " + responses_title() : "");
+    }
+    // Of few waves there is no percentile.
+    [[nodiscard]] std::string responses_title() const {
+        constexpr std::int64_t least_for_p95 = 20;
+        auto const independent = of_.spec.source->about().shared.among(of_.statistics.waves().waves);
+        return independent < least_waves     ? "lowest to highest"
+               : independent < least_for_p95 ? "median to highest (a 95th percentile needs 20 independent waves)"
+                                             : "median / 95th percentile (<= its upper end)";
     }
 
     // "600 gal = design", "900 gal = 1.5 x"
@@ -161,8 +168,8 @@ class SheetMaker {
             return limit == 0 ? what : what + " " + full_name(state, of_.spec.limits);
         };
         auto const& curve = body.curves_of(limit).front();
-        auto const yearly = frequency_text(body.body, state.name);
         bool const apart = detail == Detail::all;
+        auto const yearly = frequency_text(body.body, state.name, apart);
         sheet_.rows.push_back(
             {"", named("HCLPF"),
              capacity_text(curve, apart || yearly.empty()) + (apart || yearly.empty() ? "" : "; " + yearly)});
@@ -172,9 +179,12 @@ class SheetMaker {
     }
 
     // "4.6e-05 to 8.5e-05 a year"; empty without a hazard curve.
-    [[nodiscard]] std::string frequency_text(std::string const& body, std::string const& limit) const {
+    [[nodiscard]] std::string frequency_text(std::string const& body, std::string const& limit, bool whole) const {
         auto const* const f = frequency_at(of_, body, limit);
-        return f == nullptr ? std::string() : too_few_ ? needs_more() : frequency_words(*f);
+        return f == nullptr ? std::string()
+               : too_few_   ? needs_more()
+               : whole      ? frequency_words(*f)
+                            : frequency_in_short(*f);
     }
 
     // "0.245 g (lower end 0.2 g)"
@@ -184,7 +194,8 @@ class SheetMaker {
     }
 
     [[nodiscard]] std::string needs_more() const {
-        return fmt::format("needs {} records or more ({} here)", least_records, of_.statistics.waves().waves);
+        return fmt::format("needs {} records or more ({} here)", least_records,
+                           of_.spec.source->about().shared.among(of_.statistics.waves().waves));
     }
 
     void add_responses(std::size_t b) {
@@ -284,7 +295,8 @@ std::vector<std::size_t> answer_levels(LevelSpec const& levels) {
 
 std::string no_probability_text(Answered const& of) {
     auto const waves = of.statistics.waves().waves;
-    return are_too_few_records(of.spec, waves) ? few_records_text(waves) : std::string();
+    return are_too_few_records(of.spec, waves) ? few_records_text(waves, of.spec.source->about().shared.among(waves))
+                                               : std::string();
 }
 
 AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows, std::size_t parts) {

@@ -112,7 +112,12 @@ Table answer_table(Answered const& of) {
                  if (row.frequency == nullptr || too_few) {
                      return std::nullopt;
                  }
-                 return row.frequency->mean ? row.frequency->interval : row.frequency->seen;
+                 return row.frequency->ends();
+             })
+        .add("annual_frequency_95", "1/a", "with beta_U, at 95 % confidence",
+             [=](Row const& row) -> std::optional<double> {
+                 bool const known = row.frequency != nullptr && !too_few && row.frequency->fractiles;
+                 return known ? std::optional(row.frequency->fractiles->high) : std::nullopt;
              });
     return table.take();
 }

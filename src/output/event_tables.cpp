@@ -102,7 +102,7 @@ std::vector<Table> frequency_tables(std::string const& units, std::span<BodyFreq
         .add("frequency", "1/a",
              "the answer: what lies outside of levels and hazard curve as seldom, or as often, as they allow; of the "
              "stripes alone without a curve",
-             [](Row const& row) { return row.mean ? row.interval : row.seen; })
+             [](Row const& row) { return row.ends(); })
         .add("extrapolated", "1/a", "of the mean: by motions outside of the levels or of the hazard curve",
              [](Row const& row) { return row.mean ? std::optional(row.extrapolated()) : std::nullopt; })
         .add("continued", "1/a", "estimate of the mean with the hazard curve continued at its slopes at both ends",
@@ -119,7 +119,8 @@ std::vector<Table> frequency_tables(std::string const& units, std::span<BodyFreq
         .add("fractile_5", "1/a", "by the curve of 95 % confidence", fractile(&Row::Fractiles::low))
         .add("fractile_50", "1/a", "by the median curve", fractile(&Row::Fractiles::median))
         .add("fractile_95", "1/a", "by the curve of 5 % confidence", fractile(&Row::Fractiles::high))
-        .add("stripes_alone", "1/a", "bounds from the stripes without a curve", [](Row const& row) { return row.seen; })
+        .add("stripes_alone", "1/a", "bounds from the stripes without a curve; no upper end where beta_U is not known",
+             [](Row const& row) { return row.seen; })
         .add(
             "beyond_curve", "1/a", "motions beyond the last point of the hazard curve",
             [](Row const& row) {

@@ -30,7 +30,7 @@ Json warnings_json(std::string const& body, std::span<MeasuredFragility const> f
 
 Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::span<BodyAnalysis const> analysis,
               double confidence, WarningUnits units) {
-    Json json{{"variability", spec.source->about().variability}, {"waves_alike", spec.source->about().waves_per_draw}};
+    Json json{{"variability", spec.source->about().variability}, {"waves_alike", spec.source->about().shared.most}};
     std::vector<Table> tables;
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         tables.push_back(body_table(spec, b));

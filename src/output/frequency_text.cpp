@@ -73,8 +73,7 @@ void add_trust(std::vector<std::string>& notes, BodyFrequency const& f) {
         notes.emplace_back(
             "the curve does not fit the data: use the interval, which includes the bounds from the stripes");
     }
-    // Stripes know nothing of a beta_U that is stated beside them.
-    if (!f.stated && !f.fractiles && (mean_of(f) > f.seen.upper || mean_of(f) < f.seen.lower)) {
+    if (f.outside_seen) {
         notes.emplace_back("the curve's frequency is outside the bounds from the stripes: use these bounds");
     }
 }
@@ -82,6 +81,9 @@ void add_trust(std::vector<std::string>& notes, BodyFrequency const& f) {
 // Of a body without a curve the stripes are the answer.
 void add_seen(std::vector<std::string>& notes, BodyFrequency const& f, HazardCurve const& hazard) {
     constexpr double nearly_all = 0.75;
+    if (f.lacks_beta_u) {
+        return;
+    }
     if (!f.mean && f.seen_below_curve > much * f.seen.upper) {
         notes.push_back(fmt::format(
             "{:.2g} a year of the upper end is motions below {}, where the hazard curve begins, by its "
@@ -109,16 +111,18 @@ std::string row_of(BodyFrequency const& f) {
         text = name + '\n';
         name.clear();
     }
-    auto const ends = f.mean ? f.interval : f.seen;
-    auto const seen = f.stated ? std::string("no trials") : interval_text(f.seen);
-    text += fmt::format("{:<{}} {:>22} {:>11} {:>12} {:>22}\n", name, name_width,
-                        f.lacks_beta_u() ? fmt::format("> {:.3g}", rounded_down(ends.lower)) : interval_text(ends),
+    auto const text_of = [&](Interval const& ends) {
+        return f.lacks_beta_u ? fmt::format("> {:.3g}", rounded_down(ends.lower)) : interval_text(ends);
+    };
+    auto const seen = f.stated ? std::string("no trials") : text_of(f.seen);
+    text += fmt::format("{:<{}} {:>22} {:>11} {:>12} {:>22}\n", name, name_width, text_of(f.ends()),
                         f.mean ? fmt::format("{:.3g}", mean_of(f)) : "-",
                         f.mean ? fmt::format("{:.2g}", f.extrapolated()) : "no curve", seen);
     return text
-           + (f.fractiles ? fmt::format("  by the curves at 5, 50, 95 % confidence: {:.3g}, {:.3g}, {:.3g} a year\n",
-                                        f.fractiles->low, f.fractiles->median, f.fractiles->high)
-                          : std::string());
+           + (f.fractiles
+                  ? fmt::format("  by the curves at 5, 50, 95 % confidence: {:.3g}, {:.3g}, {:.3g} a year\n",
+                                rounded_down(f.fractiles->low), f.fractiles->median, rounded_up(f.fractiles->high))
+                  : std::string());
 }
 
 }  // namespace
@@ -134,14 +138,13 @@ std::vector<std::string> frequency_notes(BodyFrequency const& f, HazardCurve con
     if (std::isnan(f.seen.upper)) {  // of waves that are no sample
         return notes;
     }
-    if (f.lacks_beta_u()) {
+    if (f.lacks_beta_u) {
         notes.emplace_back(
             "no upper end, because beta_U is not known (--beta-u, or the campaign's key statistics.beta_u): uncertain "
-            "properties of "
-            "the body make the limit state more frequent");
+            "properties of the body make the limit state more frequent");
     }
     if (f.mean) {
-        if (!f.lacks_beta_u()) {
+        if (!f.lacks_beta_u) {
             add_parts(notes, f, hazard);
         }
         add_mean(notes, f, hazard);

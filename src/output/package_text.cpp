@@ -158,9 +158,9 @@ std::vector<std::string> hand_check_lines(CampaignSpec const& spec, std::span<Ha
         return lines;
     }
     lines.push_back(
-        fmt::format("energy balance under the 84th-percentile spectrum of the first {} waves (of two horizontal "
-                    "components the vector)",
-                    checks.front().waves));
+        fmt::format("energy balance under the {} spectrum of the first {} (of two horizontal components the vector)",
+                    checks.front().fractile < 1 ? "84th-percentile" : "highest",
+                    checks.front().waves == 1 ? std::string("wave") : fmt::format("{} waves", checks.front().waves)));
     if (!checks.front().left_out.empty()) {
         lines.push_back(fmt::format(
             "overturning leaves the waves' {} component out, which is unsafe; sliding counts it: mu (1 - 0.4 A_v/g)",

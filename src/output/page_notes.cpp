@@ -64,7 +64,7 @@ Json page_notes(Answered const& of) {
          "Annual frequency. The interval includes what lies beyond the levels and beyond the hazard curve. Beside it "
          "stand the mean by the fitted curve and the part of that mean by motions beyond the levels or the hazard "
          "curve."},
-        {"variability", fmt::format("Waves differ by {}.", of.spec.source->about().variability)},
+        {"variability", fmt::format("Variability of the waves: {}.", of.spec.source->about().variability)},
         {"other_measures", "The " + other_measures_text(of.spec.levels.measure_label()) + "."},
         {"many_bodies", "{bodies} bodies: no more than {most} are drawn in one picture."},
         {"checks",

@@ -71,11 +71,13 @@ std::string frequency_line(Answered const& of, std::string const& body, std::str
     if (f == nullptr) {
         return {};
     }
-    auto const& ends = f->mean ? f->interval : f->seen;
+    auto const& ends = f->ends();
     auto const low = rounded_down(ends.lower, headline_digits);
     auto const high = rounded_up(ends.upper, headline_digits);
-    if (f->lacks_beta_u()) {
-        return fmt::format("more than {:.{}g} times a year (how much more needs beta_U)", low, headline_digits);
+    if (f->lacks_beta_u) {
+        return low == 0
+                   ? "not known: it needs beta_U of the body"
+                   : fmt::format("more than {:.{}g} times a year (how much more needs beta_U)", low, headline_digits);
     }
     if (!f->mean) {
         return fmt::format("at most {:.{}g} times a year ({:g} %: {:.{}g} to {:.{}g})", high, headline_digits,

@@ -13,7 +13,7 @@ namespace overturn::output {
 
 /// 16 %, 50 % and 84 % of a sample at each period, and its largest.
 struct SpectrumBand {
-    std::vector<double> p16, p50, p84, highest;
+    std::vector<double> p16, p50, p84, highest;  ///< p16, p84: NaN of fewer than five waves
 };
 
 struct SpectraOfWaves {

@@ -117,11 +117,12 @@ Table telling_trial_table(CampaignSpec const& spec, std::span<TellingTrial const
 
 Table hand_check_table(CampaignSpec const& spec, std::span<HandCheck const> checks) {
     using Row = HandCheck;
-    TableOf<Row> table({.name = "hand_check",
-                        .constants = {{"method", std::string("energy balance under the 84 % vector spectrum")},
-                                      {"demand_fractile", 0.84},
-                                      {"units", spec.levels.units()}}},
-                       checks);
+    TableOf<Row> table(
+        {.name = "hand_check",
+         .constants = {{"method", std::string("energy balance under a vector spectrum of the first waves")},
+                       {"demand_fractile", checks.empty() ? 0 : checks.front().fractile},
+                       {"units", spec.levels.units()}}},
+        checks);
     auto const body_of = [&spec](Row const& row) -> BodySpec const& {
         return *std::ranges::find(spec.bodies, row.body, &BodySpec::name);
     };

@@ -158,7 +158,7 @@ class Analyst {
     [[nodiscard]] bool shared() const {
         return group_size() > 1 || (!spec_.levels.independent_waves && spec_.levels.levels.size() > 1);
     }
-    [[nodiscard]] std::int64_t group_size() const { return spec_.source->about().waves_per_draw; }
+    [[nodiscard]] std::int64_t group_size() const { return spec_.source->about().shared.most; }
     [[nodiscard]] FragilityRequest request_of(std::size_t b, std::size_t limit,
                                               std::optional<BetaSplit> const& split) const {
         FragilityRequest request;

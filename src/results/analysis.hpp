@@ -87,7 +87,9 @@ struct LevelQuantiles {
     std::int64_t trials = 0, unknown = 0;  ///< with a known value, those that fell among them; and others
     std::int64_t overturned = 0;           ///< of the known ones: above every other value
     double fallen = 0;                     ///< value for a body that fell
-    std::array<SampleQuantile, 3> quantiles;
+    /// Lowest and highest of the known ones, those that fell as `fallen`; NaN: none is known.
+    double least = std::numeric_limits<double>::quiet_NaN(), most = least;
+    std::array<SampleQuantile, 3> quantiles;  ///< value NaN: too few independent ones for it
 };
 
 struct BodyAnalysis {

@@ -13,7 +13,7 @@ bool are_few_records(CampaignSpec const& spec, std::int64_t waves) {
 }
 
 bool are_too_few_records(CampaignSpec const& spec, std::int64_t waves) {
-    return waves < least_records && are_few_records(spec, waves);
+    return are_few_records(spec, waves) && spec.source->about().shared.among(waves) < least_records;
 }
 
 std::optional<FragilityState> no_sample(CampaignSpec const& spec, std::int64_t waves) {

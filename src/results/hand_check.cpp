@@ -11,13 +11,18 @@
 #include "campaign/plan.hpp"
 #include "campaign/trial.hpp"
 #include "spectra/response_spectrum.hpp"
+#include "stats/bootstrap.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {
 namespace {
 
 constexpr std::int64_t most_checked_waves = 32;
-constexpr double fractile = 0.84;  // of the demand, as CDFM asks
+// Of the demand, as CDFM asks; the highest of waves too few for it.
+double fractile_of(std::vector<GroundMotion> const& motions) {
+    constexpr double asked = 0.84;
+    return std::ssize(motions) < least_waves ? 1 : asked;
+}
 constexpr std::size_t rotations = 60;
 
 // The first waves, each scaled to a level of 1.
@@ -62,7 +67,7 @@ std::vector<double> demand(std::vector<GroundMotion> const& motions, std::span<d
     std::vector<double> fractiles;
     for (auto& values : by_period) {
         std::ranges::sort(values);
-        fractiles.push_back(quantile(values, fractile));
+        fractiles.push_back(quantile(values, fractile_of(motions)));
     }
     return fractiles;
 }
@@ -97,7 +102,7 @@ void check_sliding(HandCheck& check, double friction, double level, std::vector<
         peaks.push_back(level * peak_of(motion.vertical_mps2));
     }
     std::ranges::sort(peaks);
-    double const capacity = sliding_capacity_mps2(friction, quantile(peaks, fractile));
+    double const capacity = sliding_capacity_mps2(friction, quantile(peaks, fractile_of(motions)));
     check.sliding_m = capacity > 0 ? 0 : std::numeric_limits<double>::infinity();
     for (std::size_t p = periods.size(); p-- > 0 && capacity > 0;) {
         if (level * asked[p] >= capacity) {
@@ -121,6 +126,7 @@ std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
         HandCheck check;
         check.body = body.name;
         check.waves = motions.size();
+        check.fractile = fractile_of(motions);
         check.left_out = motions.front().vertical_mps2.empty() ? "" : "vertical";
         check_rocking(check, body.body, motions);
         if (body.friction && basis != spec.levels.levels.end()) {

@@ -16,7 +16,8 @@ namespace overturn {
 
 struct HandCheck {
     std::string body;
-    std::int64_t waves = 0;  ///< the campaign's first, whose spectra's 84 % fractile is the demand
+    std::int64_t waves = 0;  ///< the campaign's first, of whose spectra a fractile is the demand
+    double fractile = 0;     ///< 0.84, or 1 (the highest) of fewer than five waves
     std::string left_out;    ///< components of these waves that the overturning level knows nothing of
     /// The level at which the spectrum asks as much as the body can give at `rocking` and more at any other rotation:
     /// it overturns beyond [SI of the levels' measure]

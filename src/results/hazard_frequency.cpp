@@ -46,15 +46,14 @@ Interval interval_of(std::span<Replicate const> refits, double beside, HazardCur
 // Whatever trials without a verdict would have done.
 Interval interval_of_fit(FragilityFit const& fit, HazardCurve const& hazard, TriedRange const& tried,
                          double confidence) {
-    // What was drawn is in the refits; what was stated stands beside.
-    double const beside = std::sqrt(std::max(0.0, fit.beta_u * fit.beta_u - fit.beta_u_drawn * fit.beta_u_drawn));
+    double const beside = fit.beta_u_stated;  // what was drawn is in the refits
     confidence = fit.waves > 0 ? resampled_confidence(confidence, fit.waves) : confidence;
     auto ends = interval_of(fit.refits, beside, hazard, tried, confidence);
     for (auto const& refits : fit.extreme_refits) {
         ends = hull(ends, refits.empty() ? Interval{0, all_motions(hazard, tried)}
                                          : interval_of(refits, beside, hazard, tried, confidence));
     }
-    if (fit.method == FragilityFit::Method::wider_of_both) {  // few refits scatter too little
+    if (fit.method == FragilityFit::Method::widest) {  // few refits scatter too little
         auto const& [median, beta, five, hclpf] = fit.intervals();
         bool const open = median.lower <= 0 || !std::isfinite(beta.upper);
         double const most =
@@ -119,13 +118,13 @@ void add_curve(BodyFrequency& made, LognormalFragility const& mean, HazardCurve 
     made.wide = widest_piece(hazard, mean);
 }
 
-// \param beta_u 0: not known
-void open_above_or_add_fractiles(BodyFrequency& made, double median, double beta_r, double beta_u,
-                                 HazardCurve const& hazard) {
-    if (beta_u <= 0) {
-        made.interval.upper = std::numeric_limits<double>::infinity();
-        return;
-    }
+// No upper end where uncertain properties of the body are neither drawn nor stated.
+void open_above(BodyFrequency& made) {
+    made.lacks_beta_u = true;
+    made.interval.upper = made.seen.upper = std::numeric_limits<double>::infinity();
+}
+
+void add_fractiles(BodyFrequency& made, double median, double beta_r, double beta_u, HazardCurve const& hazard) {
     constexpr double score = 1.6448536269514722;
     auto const at = [&](double scores) {
         return whole(annual_frequency(hazard, {median * std::exp(scores * beta_u), beta_r}));
@@ -143,16 +142,23 @@ BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes
     made.nothing_below = nothing_below;
     made.lowest = fit.lowest;
     made.highest = fit.highest;
+    double const beta_u = fit.beta_u_stated;  // what was drawn is in the stripes
     auto const seen = [&](HazardCurve const& over, double none_up_to) {
-        return hull(annual_frequency_seen(over, with_undecided(stripes, false), confidence, none_up_to),
-                    annual_frequency_seen(over, with_undecided(stripes, true), confidence, none_up_to));
+        return hull(annual_frequency_seen(over, with_undecided(stripes, false), confidence, none_up_to, beta_u),
+                    annual_frequency_seen(over, with_undecided(stripes, true), confidence, none_up_to, beta_u));
     };
-    auto const from_lower = from_lower_on(hazard, {fit.lowest, fit.highest, nothing_below}, !fit.identifiable());
+    constexpr double scores =
+        8;  // a body that moves under weaker motions than exp(-8 beta_U) times the median one's is none
+    auto const from_lower = from_lower_on(hazard, {fit.lowest, fit.highest, nothing_below * std::exp(-scores * beta_u)},
+                                          !fit.identifiable());
     auto const as_stated = seen(hazard, nothing_below);
     made.seen = {as_stated.lower, std::max(as_stated.upper, seen(from_lower, nothing_below).upper)};
     made.seen_below_curve = made.seen.upper - as_stated.upper;
     made.seen_below_levels = made.seen.upper - seen(from_lower, std::max(nothing_below, fit.lowest)).upper;
     if (!fit.identifiable()) {
+        if (beta_u == 0 && !fit.drawn) {
+            open_above(made);
+        }
         return made;
     }
     double const median = std::exp(fit.line->log_median());
@@ -169,7 +175,13 @@ BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes
     if (made.mean->annual > 0) {
         made.shares = shares_of(hazard, composite, fit.lowest, fit.highest);
     }
-    open_above_or_add_fractiles(made, median, fit.beta_r(), fit.beta_u_known ? fit.beta_u : 0, hazard);
+    auto const& mean = *made.mean;
+    made.outside_seen = whole(mean) > made.seen.upper || whole(mean) < made.seen.lower;
+    if (fit.beta_u_known) {
+        add_fractiles(made, median, fit.beta_r(), fit.beta_u, hazard);
+    } else {
+        open_above(made);
+    }
     return made;
 }
 
@@ -179,7 +191,11 @@ BodyFrequency frequency_of_stated(double median, double beta_r, double beta_u, H
     made.highest = std::numeric_limits<double>::infinity();
     add_curve(made, {median, std::hypot(beta_r, beta_u)}, hazard, {made.lowest, made.highest, 0});
     made.interval = {made.bounds.least(), made.bounds.most()};
-    open_above_or_add_fractiles(made, median, beta_r, beta_u, hazard);
+    if (beta_u > 0) {
+        add_fractiles(made, median, beta_r, beta_u, hazard);
+    } else {
+        open_above(made);
+    }
     return made;
 }
 

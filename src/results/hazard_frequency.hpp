@@ -20,11 +20,11 @@ struct BodyFrequency {
     /// By the curve over the levels with beta_R and beta_U together, if there is a curve: their mean, the curve taken
     /// to hold outside of the levels too.
     std::optional<AnnualFrequency> mean;
-    /// The answer. Its lower end counts no motion below the levels, and those above levels and hazard curve as passing
-    /// it as often as at their end; its upper end counts those above as passing it always, those below as often as the
-    /// curve allows (FrequencyBounds). From refits to resampled waves or trials, with undecided trials as either
-    /// extreme; where the curve does not describe the data, or might not with them, as far as the stripes alone allow
-    /// too. Without a beta_U it has no upper end (infinite): a wider curve is passed more often.
+    /// The answer by the curve. Its lower end counts no motion below the levels, and those above levels and hazard
+    /// curve as passing it as often as at their end; its upper end counts those above as passing it always, those below
+    /// as often as the curve allows (FrequencyBounds). From refits to resampled waves or trials, with undecided trials
+    /// as either extreme; where the curve does not describe the data, or might not with them, as far as the stripes
+    /// alone allow too. Without a beta_U it has no upper end (infinite): a wider curve is passed more often.
     Interval interval;
     FrequencyBounds bounds;  ///< the parts of both ends, by the curve itself
     double continued = 0;    ///< estimate: the hazard curve continued beyond its ends at its slopes there
@@ -36,9 +36,10 @@ struct BodyFrequency {
         double low = 0, median = 0, high = 0;
     };
     std::optional<Fractiles> fractiles;
-    /// From the stripes alone (annual_frequency_seen), likewise; the upper end with the hazard continued
-    /// (from_lower_on)
+    /// From the stripes alone (annual_frequency_seen), likewise, with a stated beta_U; the upper end with the hazard
+    /// continued (from_lower_on)
     Interval seen;
+    bool outside_seen = false;       ///< the mean of the curve is not within what the stripes show
     double nothing_below = 0;        ///< intensity up to which no motion moves the body, if known [SI]
     double lowest = 0, highest = 0;  ///< intensities that were tried [SI]
     double seen_below_curve = 0;     ///< of the upper end of `seen`: by motions weaker than the hazard curve's first
@@ -46,8 +47,12 @@ struct BodyFrequency {
     std::optional<FrequencyShares> shares;  ///< of the mean: below, between and above the levels that were tried
     bool stated = false;                    ///< no trials: the curve is stated, and `interval` bounds the hazard alone
 
-    /// Is there a curve whose beta_U is not known?
-    [[nodiscard]] bool lacks_beta_u() const { return mean && !fractiles; }
+    /// Neither drawn nor stated, so that nothing has an upper end. A curve shows whether what was drawn matters;
+    /// without one, whatever was drawn counts.
+    bool lacks_beta_u = false;
+
+    /// The answer: by the curve, or by the stripes alone.
+    [[nodiscard]] Interval const& ends() const { return mean ? interval : seen; }
     /// Part of the mean from motions outside of the levels, or of the hazard curve.
     [[nodiscard]] double extrapolated() const;
 };

@@ -4,14 +4,14 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "core/error.hpp"
 #include "response/registry.hpp"
 
 namespace overturn {
 
-MeasuredTrials::MeasuredTrials(std::vector<Measure> measures, std::int64_t waves_per_draw)
-    : waves_per_draw_(waves_per_draw) {
+MeasuredTrials::MeasuredTrials(std::vector<Measure> measures, SharedDraws shared) : shared_(std::move(shared)) {
     std::ranges::partition_copy(measures, std::back_inserter(linear_), std::back_inserter(others_), is_linear);
 }
 

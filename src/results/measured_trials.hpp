@@ -12,6 +12,7 @@
 #include "campaign/intensity_measure.hpp"
 #include "campaign/limit_state.hpp"
 #include "campaign/rows.hpp"
+#include "core/shared_draws.hpp"
 #include "stats/criterion.hpp"
 #include "stats/fragility_data.hpp"
 #include "stats/response_bins.hpp"
@@ -39,8 +40,8 @@ inline constexpr std::size_t most_trials_held = 2'000'000;
 class MeasuredTrials {
   public:
     /// \param measures those it holds, and no others
-    /// \param waves_per_draw so many in a row are no independent samples: they are resampled together
-    explicit MeasuredTrials(std::vector<Measure> measures, std::int64_t waves_per_draw = 1);
+    /// \param shared waves that are no independent samples: they are resampled together
+    explicit MeasuredTrials(std::vector<Measure> measures, SharedDraws shared = {});
     // Trials point to their waves, which a map keeps in place when it is moved, not when it is copied.
     MeasuredTrials(MeasuredTrials const&) = delete;
     MeasuredTrials& operator=(MeasuredTrials const&) = delete;
@@ -94,7 +95,7 @@ class MeasuredTrials {
         [[nodiscard]] std::int64_t wave() const { return of_wave->first; }
         [[nodiscard]] bool overturned() const { return limits.has_passed(0); }
     };
-    [[nodiscard]] std::int64_t together(std::int64_t wave) const { return wave / waves_per_draw_; }
+    [[nodiscard]] std::int64_t together(std::int64_t wave) const { return shared_(wave); }
 
     /// Place of a measure's values: among the linear ones of a wave and body, or the others of a trial.
     struct Place {
@@ -112,7 +113,7 @@ class MeasuredTrials {
     }
 
     std::vector<Measure> linear_, others_;
-    std::int64_t waves_per_draw_;
+    SharedDraws shared_;
     Waves waves_;  ///< linear measures of each wave, body by body
     std::int64_t passed_by_ = 0;
     std::deque<Measured> trials_;  ///< grows without a copy of itself

@@ -38,12 +38,12 @@ Statistics::Statistics(CampaignSpec const& spec, TrialsHeld held)
     : judge_(spec.limits, ModelSelector(spec.effects, spec.accuracy)),
       held_(held),
       sigma_(spec),
-      measured_(held_measures(spec), spec.source->about().waves_per_draw) {
+      measured_(held_measures(spec), spec.source->about().shared) {
     for (auto const& body : spec.bodies) {
         BodyStatistics statistics;
         statistics.body = body.name;
         for (auto const& level : spec.levels.levels) {
-            statistics.stripes.push_back({.amplitude = level.value, .group_size = spec.source->about().waves_per_draw});
+            statistics.stripes.push_back({.amplitude = level.value, .group_size = spec.source->about().shared.most});
         }
         statistics.limits.resize(spec.limits.size() - 1, {statistics.stripes, 0, 0});
         statistics.v_wes.resize(statistics.stripes.size());

@@ -71,7 +71,7 @@ std::vector<BodiesTogether> bodies_together(CampaignSpec const& spec, Statistics
     for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
         together.push_back(
             {spec.limits[limit].name, spec.limits[limit].passing(),
-             study_joint(joint_trials(spec, statistics.measured(), limit), spec.source->about().waves_per_draw)});
+             study_joint(joint_trials(spec, statistics.measured(), limit), spec.source->about().shared.most)});
     }
     return together;
 }
@@ -107,8 +107,8 @@ std::vector<TwoMeasures> over_two_measures(CampaignSpec const& spec, Statistics 
     validate(!spec.is_grid(),
              "--measures for waves on a grid of frequencies (no random sample: no curve). Leave it out");
     validate(!no_sample(spec, statistics.waves().waves),
-             "--measures for {} recorded motions (a curve needs {} or more). Leave it out", statistics.waves().waves,
-             least_records);
+             "--measures for {} recorded motions (a curve needs {} or more). Leave it out",
+             spec.source->about().shared.among(statistics.waves().waves), least_records);
     constexpr int replicates = 1000;
     std::vector<TwoMeasures> fits;
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {

@@ -279,7 +279,7 @@ FragilityFit fragility_of(std::span<Capacity const> capacities, FragilityRequest
     fit.lowest = lowest.intensity;
     fit.highest = highest.intensity;
     fit.line = line;
-    fit.beta_u = request.beta_u;
+    fit.beta_u = fit.beta_u_stated = request.beta_u;
     fit.beta_u_known = request.beta_u > 0;
     double const five_percent = gsl_cdf_ugaussian_P(-hclpf_score);
     auto const c = request.confidence;
@@ -293,7 +293,7 @@ FragilityFit fragility_of(std::span<Capacity const> capacities, FragilityRequest
     fit.ends = fit.profile;
     if (std::ssize(capacities) < waves_enough_to_resample) {  // the profile likelihood of so few is short too
         FewCapacities const few(*line, std::ssize(capacities), c);
-        fit.method = FragilityFit::Method::wider_of_both;
+        fit.method = FragilityFit::Method::widest;
         widen(*fit.ends, intervals_of(few.median(), few.beta(), few.intensity(five_percent), request));
     }
     raise_flags(fit, capacities.size());

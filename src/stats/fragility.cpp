@@ -31,13 +31,13 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     fit.overturned = sum.overturned;
     // Stripes without any verdict are no points.
     fit.undecided = data.kind == FragilityData::Kind::stripes ? sum_of(data.open_points).undecided : sum.undecided;
-    fit.waves = waves_of(data.trials);
+    fit.waves = data.trials.empty() ? data.few_waves : waves_of(data.trials);
     raise_if(fit, fit.undecided > 0, FragilityFlag::undecided_trials);
     raise_if(fit, data.waves_left_out, FragilityFlag::waves_left_out);
     raise_if(fit, fit.waves > 0 && fit.waves < waves_enough_to_resample, FragilityFlag::few_waves);
     using enum FragilityFit::Method;
     fit.method = !data.waves_shared                         ? profile_likelihood
-                 : has(fit.flags, FragilityFlag::few_waves) ? wider_of_both
+                 : has(fit.flags, FragilityFlag::few_waves) ? widest
                                                             : bootstrap_by_waves;
     raise_if(fit, fit.overturned == 1 && fit.trials > 1, FragilityFlag::one_overturned);
     if (data.points.empty()) {
@@ -74,7 +74,9 @@ bool lies_outside(FragilityFit const& fit, ProbitLine const& line) {
 
 void add_betas(FragilityFit& fit, FragilityRequest const& request) {
     fit.beta_u_drawn = request.split ? request.split->beta_u : 0;
+    fit.beta_u_stated = request.beta_u;
     fit.beta_u = std::hypot(fit.beta_u_drawn, request.beta_u);
+    fit.drawn = request.drawn;
     // What was drawn and moves nothing, a mass, says nothing of what is not known.
     bool const separated = request.split && (request.split->moves_median() || request.beta_u > 0);
     fit.beta_u_known = fit.beta_u > 0 && (!request.drawn || separated);

@@ -56,6 +56,7 @@ struct FragilityData {
     std::vector<FragilityPoint> open_points;  ///< the same counted: only `undecided` is not 0
     bool waves_shared = false;                ///< one wave, or waves that share a draw, have several trials
     bool waves_left_out = false;              ///< `trials` are the first of more than are held
+    std::int64_t few_waves = 0;               ///< of stripes alone: so many independent waves may be all; 0: enough
 
     [[nodiscard]] static FragilityData of_stripes(std::span<Stripe const> stripes);
     /// Single trials of a continuous measure. \param open those without a verdict; \param lost further ones, whose
@@ -162,7 +163,7 @@ struct FragilityFit {
     std::optional<Intervals> ends;  ///< to be signed: of `method`, with undecided trials as either extreme
     /// Trials that share waves are resampled with them. Of few waves that gives short intervals: the profile
     /// likelihood, and so many exact capacities, widen them.
-    enum class Method { profile_likelihood, bootstrap_by_waves, wider_of_both };
+    enum class Method { profile_likelihood, bootstrap_by_waves, widest };
     Method method = Method::profile_likelihood;
     std::size_t replicates = 0, replicates_without_curve = 0;
     std::vector<Replicate> refits;  ///< of the bootstrap, for what is computed from the curve
@@ -180,6 +181,8 @@ struct FragilityFit {
     bool beta_u_known = false;        ///< stated, or drawn and significantly above 0
     double beta_u = 0;                ///< drawn and stated together
     double beta_u_drawn = 0;          ///< the part of it that the fitted beta holds
+    double beta_u_stated = 0;         ///< the part of it that stands beside the trials
+    bool drawn = false;               ///< were the trials' bodies drawn from uncertain properties?
     /// Stripes on either side of the 5 % point, where the proportions contradict the curve about it.
     std::optional<Neighbours> beside_five_percent;
     std::vector<QuotedProbability> quotes;

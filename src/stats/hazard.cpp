@@ -131,41 +131,39 @@ FrequencyShares shares_of(HazardCurve const& hazard, LognormalFragility const& f
 }
 
 Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoint const> stripes, double confidence,
-                               double nothing_below) {
-    std::vector<double> at;
-    std::vector<double> least_from, most_up_to;  // by what any stripe below, or above, allows
+                               double nothing_below, double beta_u) {
+    std::vector<Interval> seen;
     for (auto const& stripe : stripes) {
-        auto const seen = interval_of(stripe, confidence);
-        at.push_back(std::exp(stripe.log_intensity));
-        least_from.push_back(std::max(seen.lower, least_from.empty() ? 0.0 : least_from.back()));
-        most_up_to.push_back(seen.upper);
+        seen.push_back(interval_of(stripe, confidence));
     }
-    for (std::size_t i = most_up_to.size(); i-- > 1;) {
-        most_up_to[i - 1] = std::min(most_up_to[i - 1], most_up_to[i]);
+    // P is at least what any stripe below shows, and at most what any above does.
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+        seen[i].lower = std::max(seen[i].lower, seen[i - 1].lower);
     }
-    auto const least = [&](double intensity) {
-        auto const above = std::upper_bound(at.begin(), at.end(), intensity);
-        return above == at.begin() ? 0.0 : least_from[static_cast<std::size_t>(above - at.begin()) - 1];
+    for (std::size_t i = seen.size(); i-- > 1;) {
+        seen[i - 1].upper = std::min(seen[i - 1].upper, seen[i].upper);
+    }
+    // Both bounds are stairs. A step at an intensity that scatters is a lognormal curve.
+    double const motions = hazard.points().front().annual_exceedance - hazard.points().back().annual_exceedance;
+    auto const passed_from = [&](double at) {
+        return at > 0 ? annual_frequency(hazard, {at, beta_u}) : AnnualFrequency{.annual = motions, .parts = {}};
     };
-    auto const most = [&](double intensity) {
-        if (intensity <= nothing_below) {
-            return 0.0;
+    Interval bounds{0, hazard.points().back().annual_exceedance};
+    double shown = 0;    // by the stripes so far
+    double allowed = 0;  // up to the next stripe
+    double from = nothing_below;
+    for (std::size_t i = 0; i < seen.size(); ++i) {
+        double const at = std::exp(stripes[i].log_intensity);
+        auto const passed = passed_from(at);
+        bounds.lower += (seen[i].lower - shown) * (passed.annual + passed.beyond_least);
+        shown = seen[i].lower;
+        if (at > nothing_below) {
+            bounds.upper += (seen[i].upper - allowed) * passed_from(from).annual;
+            allowed = seen[i].upper;
+            from = at;
         }
-        auto const from = std::lower_bound(at.begin(), at.end(), intensity);
-        return from == at.end() ? 1.0 : most_up_to[from - at.begin()];
-    };
-    std::vector<double> ends{hazard.first(), hazard.last()};
-    at.push_back(nothing_below);  // a place to part motions at, no stripe
-    std::ranges::copy_if(at, std::back_inserter(ends), [&](double x) { return x > ends[0] && x < ends[1]; });
-    at.pop_back();
-    std::ranges::sort(ends);
-    Interval bounds{least(hazard.last()) * hazard.annual_exceedance(hazard.last()),
-                    hazard.annual_exceedance(hazard.last())};
-    for (std::size_t i = 1; i < ends.size(); ++i) {
-        double const motions = hazard.annual_exceedance(ends[i - 1]) - hazard.annual_exceedance(ends[i]);
-        bounds.lower += least(ends[i - 1]) * motions;
-        bounds.upper += most(ends[i]) * motions;
     }
+    bounds.upper += (1 - allowed) * passed_from(from).annual;
     return bounds;
 }
 

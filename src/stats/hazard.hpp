@@ -81,10 +81,12 @@ struct AnnualFrequency {
 /// Bounds on it from stripes alone, if P rises with intensity: it is at least the lower end of the exact interval of
 /// any stripe below, and at most the upper end of any above (Clopper & Pearson 1934); below all at least 0, above all
 /// at most 1. Each stripe holds with this confidence; all of them together hold with less, and what they add up to
-/// with more. \param nothing_below intensity up to which P is known to be 0 \return [1/a], beyond the last point of the
+/// with more. \param nothing_below intensity up to which P is known to be 0 \param beta_u of what is not known and not
+/// in the stripes: all intensities in them are then those of the median body, and the bounds are means over bodies
+/// whose intensities are exp(beta_u z) times as high, z standard normal \return [1/a], beyond the last point of the
 /// curve included in the upper end
 [[nodiscard]] Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoint const> stripes,
-                                             double confidence, double nothing_below = 0);
+                                             double confidence, double nothing_below = 0, double beta_u = 0);
 
 /// The parts of the integral by where motions lie: below `lowest`, above `highest` and between, 1 in sum. \pre annual >
 /// 0

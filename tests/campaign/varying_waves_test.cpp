@@ -198,7 +198,7 @@ TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsReported) {
     auto const analysis = analyse(spec, statistics, {});
     EXPECT_EQ(analysis[0].over_levels().fit.group_size, 2);
     EXPECT_EQ(analysis[0].over_levels().fit.waves, 2);
-    EXPECT_EQ(analysis[0].over_levels().fit.method, FragilityFit::Method::wider_of_both);
+    EXPECT_EQ(analysis[0].over_levels().fit.method, FragilityFit::Method::widest);
     for (auto const& fit : analysis[0].fragility) {
         EXPECT_EQ(fit.fit.group_size, 2) << fit.name;
     }
@@ -206,7 +206,7 @@ TEST(VaryingWaves, WavesOfATargetAreResampledTogetherAndThatIsReported) {
         campaign_from(varying_waves + "per_target=2\n" + testing::type_b + testing::levels("values=[6]\n"));
     Statistics at_one(one_level);
     at_one.add(rows_of(one_level));
-    EXPECT_EQ(fit_over_levels(one_level, at_one, 0, {}).method, FragilityFit::Method::wider_of_both);
+    EXPECT_EQ(fit_over_levels(one_level, at_one, 0, {}).method, FragilityFit::Method::widest);
 }
 
 TEST(VaryingWaves, BadPeriodsAreRefusedWithTheirPlace) {

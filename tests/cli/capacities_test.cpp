@@ -90,7 +90,7 @@ TEST_F(Capacities, FewGiveNoCurveOrWideIntervals) {
     EXPECT_TRUE(four["median"].is_null()) << four;
     EXPECT_TRUE(four["hclpf"].is_null()) << four;
     auto const nine = fit("0.5,1\n0.6,1\n0.7,1\n0.8,1\n0.9,1\n1.0,1\n1.2,1\n1.4,1\n1.8,1\n");
-    EXPECT_EQ(nine["interval_method"], "wider-of-both");
+    EXPECT_EQ(nine["interval_method"], "widest");
     double const deviation = nine["beta"].get<double>() * std::sqrt(9.0 / 8);
     double const half = 2.3060041 * deviation / 3;  // Student's t of 8 degrees of freedom, 97.5 %
     EXPECT_LE(nine["median_upper"].get<double>() / nine["median"].get<double>(), std::exp(half) * 1.05);

@@ -169,6 +169,28 @@ TEST_F(Fit, TablesAsOtherProgramsWriteThem) {
     EXPECT_EQ(table("\"amplitude\",\"trials\",\"overturned\"\n\"1\",54,2\n1.5,54,25\n2,54,43\n"), plain);
 }
 
+// three trials at each level may be of the same three waves: counts, and no curve.
+TEST_F(Fit, OfFewTrialsALevelGiveNoCurve) {
+    auto const levels = [](int trials, int levels) {
+        std::string text = "amplitude,trials,overturned\n";
+        for (int level = 1; level <= levels; ++level) {
+            int const fell = 2 * level > levels ? trials : 0;
+            text += fmt::format("{},{},{}\n", level, trials, fell - (level == levels - 1 ? 1 : 0));
+        }
+        return text;
+    };
+    auto const three = table(levels(3, 8), {"--beta-u", "0.3"})["fragility"][0];
+    EXPECT_EQ(three["state"], "few-waves");
+    EXPECT_TRUE(three["hclpf"].is_null());
+    EXPECT_EQ(table(levels(5, 8), {"--beta-u", "0.3"})["fragility"][0]["state"], "fitted");
+    // A trial at each of many amplitudes is one of many waves.
+    std::string single = "amplitude,trials,overturned\n";
+    for (int i = 1; i <= 40; ++i) {
+        single += fmt::format("{},1,{}\n", i, (i > 20) == (i % 7 != 0) ? 1 : 0);
+    }
+    EXPECT_EQ(table(single)["fragility"][0]["state"], "fitted");
+}
+
 //
 TEST_F(Fit, BetaUMovesHclpf) {
     std::string const stripes = "amplitude,trials,overturned\n1,54,2\n1.5,54,25\n2,54,43\n";

@@ -268,6 +268,37 @@ TEST_F(RecordsOnTheLine, OfFewerThanFiveNoTableHasAProbability) {
         << moved.err;
 }
 
+// eight rows of four stations are four samples: counts alone, and a warning that names two rows.
+TEST_F(RecordsOnTheLine, ComponentsOfOneStationAreOneSample) {
+    std::string files = "files=[";
+    for (int station = 0; station < 5; ++station) {
+        for (int component = 0; component < 2; ++component) {
+            auto const name = fmt::format("s{}_{}.csv", station, component == 0 ? "NS" : "EW");
+            folder.write(name, record(0.2 * (2 * station + component)));
+            files += "'" + name + (station < 4 ? "'," : component == 0 ? "'," : "'");
+        }
+    }
+    auto const levels = "'0.3 g', '0.42 g', '0.44 g', '0.5 g', '1 g'";
+    folder.write("ten.toml", campaign(files + "]\n", "pga", levels));
+    folder.write("eight.toml", campaign(files + "]\ncount=8\n", "pga", levels));
+    auto const eight = overturn(folder, {"run", "eight.toml"});
+    ASSERT_EQ(eight.code, 0) << eight.err;
+    EXPECT_NE(eight.out.find("8 records of 4 recordings: no probability, which needs 5 or more"), std::string::npos)
+        << eight.out;
+    EXPECT_NE(
+        eight.err.find("Records 1 and 2 ('s0_NS.csv', 's0_EW.csv') are components of one recording: the 10 rows "),
+        std::string::npos)
+        << eight.err;
+    auto const ten = overturn(folder, {"run", "ten.toml"});
+    ASSERT_EQ(ten.code, 0) << ten.err;
+    auto const fit = json::parse(overturn(folder, {"fit", "ten.h5", "--json"}).out);
+    EXPECT_EQ(fit.at("waves_alike"), 2);
+    auto const& stripe = fit.at("stripes").at(0);
+    EXPECT_EQ(stripe.at("trials"), 10);
+    // Nothing fell in ten trials of five stations: the exact upper end of 0 of 5.
+    EXPECT_NEAR(stripe.at("upper").get<double>(), 1 - std::pow(0.025, 0.2), 1e-9) << stripe.dump();
+}
+
 // how far a site's limit is away is a length, not a ratio.
 TEST_F(RecordsOnTheLine, ASitesNearestLimitIsALength) {
     folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'0.01 g'") + "[site]\nwall='0.4 m'\n");

@@ -22,7 +22,7 @@ std::string const limit = "[[limits]]\nname='touches'\nquantity='peak_slip'\nabo
 
 // In inches, kip and g.
 std::string campaign_in_inches() {
-    auto campaign = small_campaign("shared", 3);
+    auto campaign = small_campaign("shared", 20);
     auto const replace = [&](std::string const& from, std::string const& to) {
         for (auto at = campaign.find(from); at != std::string::npos; at = campaign.find(from)) {
             campaign.replace(at, from.size(), to);

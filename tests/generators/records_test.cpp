@@ -34,6 +34,61 @@ TEST(Records, FilesAreWavesInTheirOrder) {
     expect_input_error([&] { (void)source->make(1, 2); }, "wave 2 of 2");
 }
 
+// components of one station and event are one sample, by what their files say or, where these say nothing, by
+// the directions in their names.
+TEST(Records, ComponentsOfOneRecordingAreNoTwoSamples) {
+    auto named = [](std::initializer_list<char const*> names) {
+        std::map<std::string, std::string> contents;
+        std::string list;
+        int peak = 0;
+        for (std::string const name : names) {
+            ++peak;
+            contents[name] = fmt::format("0,0\n0.01,{}\n0.02,-20\n0.03,{}\n", peak, 3 * peak);
+            list += fmt::format("'{}',", name);
+        }
+        return source_of(fmt::format("source='records'\nfiles=[{}]\nunit='gal'\n", list), contents)->about();
+    };
+    using Numbers = std::vector<std::int64_t>;
+    auto const about = named({"kobe_NS.csv", "taft.csv", "kobe_EW.csv"});
+    EXPECT_EQ(about.shared.of, (Numbers{0, 1, 0}));
+    EXPECT_EQ(about.shared.most, 2);
+    EXPECT_EQ(about.shared.among(3), 2);
+    EXPECT_EQ(about.shared.among(2), 2);
+    EXPECT_EQ(about.variability, "3 recorded motions of 2 recordings, as chosen");
+    EXPECT_EQ(named({"a/NS.csv", "a/EW.csv", "b/NS.csv", "b/EW.csv"}).shared.of, (Numbers{0, 0, 1, 1}));
+    EXPECT_EQ(named({"tokachi.NS", "tokachi.EW"}).shared.most, 2);
+    // Numbers count motions, and a letter is a name.
+    for (auto const& different :
+         {named({"m-1.csv", "m-2.csv"}), named({"x.csv", "y.csv"}), named({"kobe.csv", "taft.csv"})}) {
+        EXPECT_EQ(different.shared.most, 1);
+        EXPECT_TRUE(different.shared.of.empty());
+        EXPECT_EQ(different.shared.among(2), 2);
+        EXPECT_EQ(different.variability, "2 recorded motions, as chosen");
+    }
+}
+
+// two rows of one file of several components, and files whose heads state one station.
+TEST(Records, ComponentsOfOneStationAreFoundByTheHeads) {
+    auto const several =
+        std::map<std::string, std::string>{{"s.csv", "time [s],NS [gal],EW [gal]\n0,0,0\n0.01,1,3\n0.02,-20,1\n"},
+                                           {"o.csv", "0,0\n0.01,10\n0.02,-20\n0.03,0\n"}};
+    auto const rows = source_of(
+        "source='records'\n[[records]]\nhorizontal='s.csv'\ncomponent='NS'\n[[records]]\nhorizontal='s.csv'\n"
+        "component='EW'\n[[records]]\nhorizontal='o.csv'\nunit='gal'\n",
+        several);
+    EXPECT_EQ(rows->about().shared.of, (std::vector<std::int64_t>{0, 0, 1}));
+    auto const peer = [](char const* component, int value) {
+        return fmt::format(
+            "PEER NGA STRONG MOTION DATABASE RECORD\nHole 01, 5/19/1940, El Centro Array #9, {}\n"
+            "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=   4, DT=   .0100 SEC,\n"
+            " .0{} -.02 .01 0.0\n",
+            component, value);
+    };
+    auto const of_peer = source_of("source='records'\nfiles=['one.at2','two.at2']\n",
+                                   {{"one.at2", peer("180", 1)}, {"two.at2", peer("270", 3)}});
+    EXPECT_EQ(of_peer->about().shared.most, 2);
+}
+
 TEST(Records, TablesPlaceComponents) {
     auto const source =
         source_of("source='records'\n[[records]]\nhorizontal='a.csv'\nvertical='b.csv'\nunit='m/s2'\n", files);

@@ -217,7 +217,7 @@ TEST(TargetVariability, EachWaveFollowsItsOwnTarget) {
     EXPECT_GT(farthest, std::log(2.0));
     EXPECT_GE(matched, 5);
     EXPECT_TRUE(source->about().draws_targets);
-    EXPECT_EQ(source->about().waves_per_draw, 1U);
+    EXPECT_EQ(source->about().shared.most, 1U);
     EXPECT_NE(source->about().variability.find("sigma 0.6"), std::string::npos);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <sstream>
 #include <string>
@@ -78,6 +79,8 @@ struct Made {
                 one.seen = one.interval = {1.2301e-5, 4.5601e-4};
                 if (body.curves_of(limit).front().fit.identifiable()) {
                     one.mean.emplace();
+                    one.lacks_beta_u = true;
+                    one.interval.upper = std::numeric_limits<double>::infinity();
                 }
                 all.push_back(one);
             }
@@ -156,7 +159,23 @@ TEST(Answer, HasARowForTheAnnualFrequency) {
     Made const two(body_named("one") + body_named("two"), limit, {0, 0, 5, 40});
     auto const merged = two.text(two.frequencies());
     EXPECT_EQ(merged.find("annual frequency "), std::string::npos) << merged;
-    EXPECT_NE(merged.find("; 1.23e-05 to 0.000457 a year\n"), std::string::npos) << merged;
+    EXPECT_NE(merged.find("; > 1.23e-05 a year\n"), std::string::npos) << merged;
+    auto known = one.frequencies();
+    for (auto& f : known) {
+        f.lacks_beta_u = false;
+        f.interval.upper = 4.5601e-4;
+        f.fractiles = BodyFrequency::Fractiles{1e-6, 2e-5, 3.2101e-4};
+    }
+    auto two_known = two.frequencies();
+    for (auto& f : two_known) {
+        f.lacks_beta_u = false;
+        f.fractiles = BodyFrequency::Fractiles{1e-6, 2e-5, 3.2101e-4};
+    }
+    EXPECT_NE(two.text(two_known).find("; 0.000322 a year at 95 % confidence\n"), std::string::npos)
+        << two.text(two_known);
+    EXPECT_NE(one.text(known).find(" 1.23e-05 to 0.000457 a year; at 95 % confidence 0.000322\n"), std::string::npos)
+        << "rounded up\n"
+        << one.text(known);
     EXPECT_NE(merged.find("slip [mm]"), std::string::npos) << merged;
 }
 
@@ -246,6 +265,27 @@ TEST(Answer, APercentileOfFewKnownTrialsIsNotKnown) {
     at.unknown = 1;
     EXPECT_EQ(output::percentiles_text(&at, 1e-3, 0.1), "fell / fell");
     EXPECT_EQ(output::percentiles_text(nullptr, 1e-3, 0.1), "not simulated");
+}
+
+// few waves have no percentile, and what was seen is printed in its place: from the median, or of fewer than
+// five from the lowest value, to the highest.
+TEST(Answer, FewWavesHaveNoPercentile) {
+    LevelQuantiles at;
+    at.trials = 7;
+    at.fallen = 10;
+    at.least = 0.001;
+    at.most = 0.0301;
+    SampleQuantile none;
+    none.value = std::numeric_limits<double>::quiet_NaN();
+    SampleQuantile median;
+    median.value = 0.012;
+    at.quantiles = {median, none, none};
+    EXPECT_EQ(output::percentiles_text(&at, 1e-3, 0.1), "12.0 to 30.1");
+    at.quantiles = {none, none, none};
+    EXPECT_EQ(output::percentiles_text(&at, 1e-3, 0.1), "1.00 to 30.1");
+    at.most = 10;
+    at.unknown = 1;
+    EXPECT_EQ(output::percentiles_text(&at, 1e-3, 0.1), "1.00 to fell, 1 not known");
 }
 
 // ends of intervals are rounded outwards; 1 - 0.025^(1/40) = 0.08810.

@@ -229,7 +229,9 @@ TEST_F(Frequency, IsThatOfTheCurveAndWithinTheStripes) {
     EXPECT_NEAR(f.bounds.below_most / (1e-2 * (std::pow(9.80665 * 0.1 / 0.5, -3) - std::pow(4.0, -3))),
                 LognormalFragility({6, 0.4}).probability(2), 1e-3);
     EXPECT_LT(f.seen.lower, mean);
-    EXPECT_GT(f.seen.upper, mean);
+    EXPECT_TRUE(std::isinf(f.seen.upper));
+    EXPECT_GT(frequencies_of(spec, statistics, sure, hazard, 0.95).front().seen.upper, mean);
+    EXPECT_FALSE(f.outside_seen);
     EXPECT_FALSE(f.fractiles.has_value());
     EXPECT_NEAR(f.shares->below + f.shares->between + f.shares->above, 1, 1e-12);
 
@@ -248,7 +250,7 @@ TEST_F(Frequency, IsThatOfTheCurveAndWithinTheStripes) {
 TEST_F(Frequency, WeakMotionsOfTheTableAreNoRisk) {
     HazardCurve const from_uplift({{0.5, 1e-2}, {50, 1e-8}});
     HazardCurve const from_nothing({{0.005, 1e4}, {50, 1e-8}});  // the same power law
-    auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0, .replicates = 50});
+    auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 1e-6, .replicates = 50});
     auto const least = frequencies_of(spec, statistics, analysis, from_uplift, 0.95).front();
     auto const most = frequencies_of(spec, statistics, analysis, from_nothing, 0.95).front();
     EXPECT_NEAR(most.nothing_below, g0 * 0.1, 1e-12);
@@ -300,10 +302,17 @@ class OfUndecided : public Frequency {
     explicit OfUndecided(Verdict above) : Frequency(above) {}
     void TestBody() override {}
     [[nodiscard]] BodyFrequency of(HazardCurve const& hazard) const {
-        auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 0, .replicates = 200});
+        auto const analysis = analyse(spec, statistics, {.confidence = 0.95, .beta_u = 1e-6, .replicates = 200});
         return frequencies_of(spec, statistics, analysis, hazard, 0.95).front();
     }
 };
+
+FragilityRequest with_beta_u(double beta_u, bool drawn = false) {
+    FragilityRequest request;
+    request.beta_u = beta_u;
+    request.drawn = drawn;
+    return request;
+}
 
 // without a curve, what lies below the first point of a hazard curve that begins amid the levels counts in the
 // upper end as it would with the whole curve, or more; the lower end stays.
@@ -316,7 +325,7 @@ TEST(FrequencyWithoutACurve, AHazardThatBeginsLateCountsWhatIsWeaker) {
             stripes.push_back({.amplitude = level, .trials = 40, .overturned = all ? 40 : 0});
         }
         auto const data = FragilityData::of_stripes(stripes);
-        auto const fit = fit_fragility(data, {});
+        auto const fit = fit_fragility(data, with_beta_u(1e-6));
         auto const known = frequency_of(fit, data, whole, 0.95, 0);
         auto const bounded = frequency_of(fit, data, late, 0.95, 0);
         ASSERT_FALSE(bounded.mean);
@@ -326,6 +335,36 @@ TEST(FrequencyWithoutACurve, AHazardThatBeginsLateCountsWhatIsWeaker) {
         auto const notes = output::frequency_notes(bounded, late);
         EXPECT_NE(notes.front().find("where the hazard curve begins"), std::string::npos) << notes.front();
     }
+}
+
+// without a curve too, a body whose uncertainty is neither drawn nor stated has no upper end, and a stated one
+// moves it.
+TEST(FrequencyWithoutACurve, NeedsBetaU) {
+    HazardCurve const hazard({{0.05, 0.1}, {0.3, 7.5e-4}, {0.6, 1e-4}, {2, 1e-6}});
+    std::vector<Stripe> stripes;
+    for (double const level : {0.3, 0.6, 0.9}) {
+        stripes.push_back({.amplitude = level, .trials = 40, .overturned = 0});
+    }
+    auto const data = FragilityData::of_stripes(stripes);
+    auto const of = [&](FragilityRequest const& request) {
+        return frequency_of(fit_fragility(data, request), data, hazard, 0.95, 0.1);
+    };
+    auto const unknown = of({});
+    EXPECT_TRUE(unknown.lacks_beta_u);
+    EXPECT_TRUE(std::isinf(unknown.ends().upper));
+    auto const text = output::frequency_text({&unknown, 1}, hazard, 0.95);
+    EXPECT_NE(text.find("no upper end, because beta_U is not known"), std::string::npos) << text;
+    EXPECT_EQ(text.find("inf"), std::string::npos) << text;
+    auto const drawn = of(with_beta_u(0, true));
+    EXPECT_FALSE(drawn.lacks_beta_u);
+    EXPECT_NEAR(drawn.ends().upper, annual_frequency_seen(hazard, data.points, 0.95, 0.1).upper, 1e-12)
+        << "its scatter is in the stripes";
+    auto const stated = of(with_beta_u(0.3));
+    EXPECT_FALSE(stated.lacks_beta_u);
+    EXPECT_GT(stated.ends().upper, 1.1 * drawn.ends().upper);
+    EXPECT_TRUE(std::isfinite(stated.ends().upper));
+    auto const both = of(with_beta_u(0.3, true));
+    EXPECT_EQ(both.ends().upper, stated.ends().upper);
 }
 
 TEST(FrequencyOfUndecided, HoldsBothExtremes) {

@@ -64,16 +64,16 @@ TEST(LimitState, IsFittedAsOverturningIs) {
     EXPECT_EQ(body.quantiles.back().quantiles[2].value, body.quantiles.back().fallen) << "nearly all fell there";
 }
 
-/// Half of four trials fell: the median rotation is a fall, and no mean of a rotation and pi/2; the median slip
+/// Half of forty trials fell: the median rotation is a fall, and no mean of a rotation and pi/2; the median slip
 /// likewise.
 TEST(LimitState, AFallLiesBeyondEveryRotation) {
     auto const spec = with_limits("");
     Statistics statistics(spec);
-    for (int w = 0; w < 4; ++w) {
+    for (int w = 0; w < 40; ++w) {
         WaveRow wave;
         wave.id = w;
         statistics.add(wave, std::vector<MeasureRow>(1));
-        auto row = row_of(w < 2 ? Verdict::rocked : Verdict::overturned, 0.01 * (w + 1), w < 2 ? 0.2 : 2.7);
+        auto row = row_of(w < 20 ? Verdict::rocked : Verdict::overturned, 0.01 * (w + 1), w < 20 ? 0.2 : 2.7);
         row.wave = w;
         row.amplitude = spec.levels.levels[0].value;
         statistics.add(row);
@@ -83,12 +83,35 @@ TEST(LimitState, AFallLiesBeyondEveryRotation) {
 
     ASSERT_EQ(quantiles.size(), 6U) << "slip and rotation at three levels";
     EXPECT_TRUE(std::isinf(quantiles[0].quantiles[0].value)) << "nor is it a slip";
-    EXPECT_EQ(quantiles[0].overturned, 2);
+    EXPECT_EQ(quantiles[0].overturned, 20);
     EXPECT_EQ(quantiles[3].quantity, "peak_rotation_ratio");
     EXPECT_EQ(quantiles[3].quantiles[0].value, fallen);
     EXPECT_EQ(quantiles[3].quantiles[2].value, fallen);
-    EXPECT_EQ(quantiles[3].trials, 4);
+    EXPECT_EQ(quantiles[3].trials, 40);
     EXPECT_EQ(quantiles[4].trials, 0);
+}
+
+/// Of fewer than five waves there is no median, of fewer than 20 no 95th percentile: the lowest and the highest are.
+TEST(LimitState, FewWavesHaveNoPercentile) {
+    auto const spec = with_limits("");
+    for (int const waves : {4, 5, 6, 7, 19, 20}) {
+        Statistics statistics(spec);
+        for (int w = 0; w < waves; ++w) {
+            WaveRow wave;
+            wave.id = w;
+            statistics.add(wave, std::vector<MeasureRow>(1));
+            auto row = row_of(Verdict::rocked, 0.01 * (w + 1), 0.2);
+            row.wave = w;
+            row.amplitude = spec.levels.levels[0].value;
+            statistics.add(row);
+        }
+        auto const slip = analyse(spec, statistics, {}).at(0).quantiles.at(0);
+        EXPECT_EQ(std::isnan(slip.quantiles[0].value), waves < 5) << waves;
+        EXPECT_EQ(std::isnan(slip.quantiles[1].value), waves < 7) << waves;
+        EXPECT_EQ(std::isnan(slip.quantiles[2].value), waves < 20) << waves;
+        EXPECT_EQ(slip.least, 0.01);
+        EXPECT_EQ(slip.most, 0.01 * waves);
+    }
 }
 
 /// Targets of [statistics] hold for every limit state that states none of its own.

@@ -36,7 +36,7 @@ TEST(FewWaves, IntervalsHoldThoseOfEveryMethod) {
     request.beta_u = 0.2;
     auto const fit = fit_fragility(one_trial_each(28), request);
     ASSERT_TRUE(fit.identifiable());
-    EXPECT_EQ(fit.method, FragilityFit::Method::wider_of_both);
+    EXPECT_EQ(fit.method, FragilityFit::Method::widest);
     FewCapacities const few(*fit.line, 28, 0.95);
     for (auto const* method : {&*fit.profile, &*fit.bootstrap}) {
         EXPECT_TRUE(contains(fit.intervals().median, method->median));

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
@@ -119,6 +120,37 @@ TEST(Hazard, StripesBoundTheFrequencyWithoutACurve) {
     EXPECT_LE(close.lower, curve.annual + curve.beyond_least);
     EXPECT_GE(close.upper, curve.annual + curve.beyond_least);
     EXPECT_LT(close.upper - close.lower, 0.35 * curve.annual);
+}
+
+// beta_U that is stated beside the stripes moves their bounds: they are means over bodies that fall at
+// exp(beta_U z) times the intensity, here summed over z in fine steps.
+TEST(Hazard, StatedBetaUMovesTheBoundsFromStripes) {
+    std::vector<HazardPoint> const points{{0.02, 5}, {0.5, 1e-2}, {1, 2e-3}, {2, 4e-4}, {4, 5e-5}, {400, 1e-12}};
+    std::vector<FragilityPoint> const stripes{
+        {std::log(1.0), 100, 0, 0}, {std::log(2.0), 100, 7, 0}, {std::log(3.0), 100, 60, 0}};
+    constexpr double beta_u = 0.4;
+    for (double const nothing_below : {0.0, 0.3}) {
+        Interval sum{0, 0};
+        constexpr double step = 1.0 / 256;
+        double weights = 0;
+        for (double z = -8; z <= 8; z += step) {
+            double const weight = step * std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi);
+            auto weaker = points;
+            for (auto& point : weaker) {
+                point.intensity *= std::exp(-beta_u * z);
+            }
+            auto const of_body = annual_frequency_seen(HazardCurve(weaker), stripes, 0.95, nothing_below);
+            sum.lower += weight * of_body.lower;
+            sum.upper += weight * of_body.upper;
+            weights += weight;
+        }
+        auto const bounds = annual_frequency_seen(HazardCurve(points), stripes, 0.95, nothing_below, beta_u);
+        EXPECT_NEAR(weights, 1, 1e-9);
+        EXPECT_NEAR(bounds.lower / sum.lower, 1, 1e-6) << nothing_below;
+        EXPECT_NEAR(bounds.upper / sum.upper, 1, 1e-6) << nothing_below;
+        auto const median_body = annual_frequency_seen(HazardCurve(points), stripes, 0.95, nothing_below);
+        EXPECT_GT(bounds.lower, 1.2 * median_body.lower);
+    }
 }
 
 TEST(Hazard, WhatIsNoHazardCurveIsRefused) {

@@ -1,6 +1,7 @@
 #include "output/detail/answer_cells.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -43,12 +44,19 @@ std::string percentiles_text(LevelQuantiles const* at, double unit, double least
     auto const text = [&](double value) {
         return value >= at->fallen ? std::string("fell") : number_text(value / unit, least);
     };
+    auto const& median = at->quantiles.front().value;
     auto const& high = at->quantiles.back();
+    if (std::isnan(high.value)) {  // of few waves
+        auto const first = text(std::isnan(median) ? at->least : median);
+        auto const last = text(at->most);
+        return (first == last ? last : first + " to " + last)
+               + (at->unknown > 0 ? fmt::format(", {} not known", at->unknown) : std::string());
+    }
     if (high.upper && *high.upper / unit < least) {
         return text(*high.upper);
     }
-    auto const median = text(at->quantiles.front().value);
-    auto numbers = median.starts_with('<') && median == text(high.value) ? median : median + " / " + text(high.value);
+    auto const first = text(median);
+    auto const numbers = first.starts_with('<') && first == text(high.value) ? first : first + " / " + text(high.value);
     if (high.value >= at->fallen) {
         return numbers;
     }
@@ -78,11 +86,17 @@ std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words) {
 }
 
 std::string frequency_words(BodyFrequency const& f) {
-    auto const& ends = f.mean ? f.interval : f.seen;
-    if (f.lacks_beta_u()) {
-        return fmt::format("> {:.3g} a year", rounded_down(ends.lower));
+    auto const& ends = f.ends();
+    if (f.lacks_beta_u) {
+        return ends.lower > 0 ? fmt::format("> {:.3g} a year", rounded_down(ends.lower)) : "not known: needs beta_U";
     }
-    return fmt::format("{:.3g} to {:.3g} a year", rounded_down(ends.lower), rounded_up(ends.upper));
+    auto const mean = fmt::format("{:.3g} to {:.3g} a year", rounded_down(ends.lower), rounded_up(ends.upper));
+    return f.fractiles ? fmt::format("{}; at 95 % confidence {:.3g}", mean, rounded_up(f.fractiles->high)) : mean;
+}
+
+std::string frequency_in_short(BodyFrequency const& f) {
+    return f.fractiles ? fmt::format("{:.3g} a year at 95 % confidence", rounded_up(f.fractiles->high))
+                       : frequency_words(f);
 }
 
 std::string probability_text(Stripe const& stripe, double confidence) {

@@ -104,11 +104,11 @@ void add_curve_columns(TableOf<Curve>& table) {
              if_fitted([](Fit const& fit) { return fit.line->beta(); }))
         .add("beta", "1", "beta", if_fitted([](Fit const& fit) { return fit.intervals().beta; }))
         .category("interval_method", "method of the intervals of median, beta and 5 % point",
-                  {"profile-likelihood", "bootstrap-by-waves", "wider-of-both"},
+                  {"profile-likelihood", "bootstrap-by-waves", "widest"},
                   [](Curve const& curve) {
                       using enum Fit::Method;
                       return std::string(curve.fit.method == bootstrap_by_waves ? "bootstrap-by-waves"
-                                         : curve.fit.method == wider_of_both    ? "wider-of-both"
+                                         : curve.fit.method == widest           ? "widest"
                                                                                 : "profile-likelihood");
                   })
         .add("beta_r", "1", "record-to-record part of beta; equals beta if no body property is uncertain",

@@ -99,7 +99,7 @@ void add_state(std::vector<std::string>& texts, FragilityFit const& fit, Intensi
             texts.push_back(grid_text(fit.waves));
             break;
         case FragilityState::few_records:
-            texts.push_back(few_records_text(fit.waves));
+            texts.push_back(few_records_text(fit.waves, fit.waves));
             break;
         case FragilityState::few_waves:
             texts.push_back(
@@ -155,9 +155,11 @@ std::string grid_text(std::int64_t waves) {
     return fmt::format("a grid of {} {} is no sample: no curve", waves, waves == 1 ? "frequency" : "frequencies");
 }
 
-std::string few_records_text(std::int64_t records) {
-    return fmt::format("{} record{}: no probability, which needs {} or more", records, records == 1 ? "" : "s",
-                       least_records);
+std::string few_records_text(std::int64_t records, std::int64_t recordings) {
+    return fmt::format(
+        "{} record{}{}: no probability, which needs {} or more", records, records == 1 ? "" : "s",
+        records == recordings ? "" : fmt::format(" of {} recording{}", recordings, recordings == 1 ? "" : "s"),
+        least_records);
 }
 
 std::string counts_text(SeenBound const& seen) {
@@ -201,9 +203,8 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
     }
     if (fit.identifiable()) {  // without a curve nothing is resampled
         add_if(FragilityFlag::few_waves,
-               fmt::format(
-                   "only {} {}{}", fit.waves, fit.group_size > 1 ? "groups of waves" : "waves",
-                   fit.method == FragilityFit::Method::wider_of_both ? ": the intervals are widened for so few" : ""));
+               fmt::format("only {} {}{}", fit.waves, fit.group_size > 1 ? "groups of waves" : "waves",
+                           fit.method == FragilityFit::Method::widest ? ": the intervals are widened for so few" : ""));
     }
     add_if(FragilityFlag::waves_left_out,
            fmt::format("curves and bootstrap use the first {} waves (2 million trials)", fit.waves));

@@ -13,7 +13,7 @@ namespace overturn::output {
 /// "a grid of 15 frequencies is no sample: no curve"
 [[nodiscard]] std::string grid_text(std::int64_t waves);
 /// "1 record: no probability, which needs 5 or more"
-[[nodiscard]] std::string few_records_text(std::int64_t records);
+[[nodiscard]] std::string few_records_text(std::int64_t records, std::int64_t recordings);
 /// "3 of 200"; "3 of 200, counting 10 as one"
 [[nodiscard]] std::string counts_text(SeenBound const& seen);
 /// One sentence for everything a reader must know.

@@ -24,7 +24,7 @@ std::string quantile_text(LevelQuantiles const& at, SampleQuantile const& q, Int
     auto const end = [&](std::optional<double> const& value, auto outwards) {
         return value ? value_text(at, *value, outwards(unit.of(*value))) : std::string("open");
     };
-    return fmt::format("{} [{}, {}]", value_text(at, q.value, unit.of(q.value)),
+    return fmt::format("{} [{}, {}]", std::isnan(q.value) ? "-" : value_text(at, q.value, unit.of(q.value)),
                        end(q.lower, [](double shown) { return rounded_down(shown); }),
                        end(q.upper, [](double shown) { return rounded_up(shown); }));
 }
@@ -89,9 +89,7 @@ std::string quantiles_text(CampaignSpec const& spec, BodyAnalysis const& body, d
             continue;
         }
         auto const of_it = [&](LevelQuantiles const& other) { return other.quantity == at.quantity; };
-        auto const moves = [&](LevelQuantiles const& other) {
-            return of_it(other) && other.quantiles.back().value > 0;
-        };
+        auto const moves = [&](LevelQuantiles const& other) { return of_it(other) && other.most > 0; };
         if (std::ranges::none_of(body.quantiles, moves)) {
             continue;
         }

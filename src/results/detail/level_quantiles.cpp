@@ -8,12 +8,18 @@
 #include <optional>
 
 #include "core/units.hpp"
+#include "stats/bootstrap.hpp"
 
 namespace overturn {
 namespace {
 
 constexpr std::array quantile_shares{0.5, 0.84,
                                      0.95};  // median, one standard deviation above it, and what is rarely passed
+
+// Of fewer independent values none is expected beyond the quantile: 20 for 95 %.
+std::int64_t fewest_for(double share) {
+    return std::max(least_waves, static_cast<std::int64_t>(std::ceil(1 / (1 - share) - 1e-9)));
+}
 
 // A fall lies beyond every value; `fallen` is what the columns hold of it.
 SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
@@ -29,7 +35,7 @@ SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
 std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTrials const& trials, std::size_t body,
                                             double confidence) {
     std::vector<LevelQuantiles> list;
-    std::int64_t const group_size = spec.source->about().waves_per_draw;
+    std::int64_t const group_size = spec.source->about().shared.most;
     auto const add = [&](LevelResponse response, char const* quantity, char const* units, double fallen) {
         auto const& levels = spec.levels.levels;
         auto by_level = trials.by_level(body, response);
@@ -38,12 +44,28 @@ std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTr
             auto const known =
                 std::partition(values.begin(), values.end(), [](double value) { return !std::isnan(value); });
             auto const fell = std::count_if(values.begin(), known, [](double value) { return std::isinf(value); });
-            LevelQuantiles at{quantity, units,  l, levels[l].value, known - values.begin(), values.end() - known,
-                              fell,     fallen, {}};
+            LevelQuantiles at;
+            at.quantity = quantity;
+            at.units = units;
+            at.level = l;
+            at.amplitude = levels[l].value;
+            at.trials = known - values.begin();
+            at.unknown = values.end() - known;
+            at.overturned = fell;
+            at.fallen = fallen;
             values.erase(known, values.end());
             std::sort(values.begin(), values.end());
+            if (!values.empty()) {
+                at.least = std::min(values.front(), fallen);
+                at.most = std::min(values.back(), fallen);
+            }
+            auto const independent = (at.trials + at.unknown) / group_size;
             std::ranges::transform(quantile_shares, at.quantiles.begin(), [&](double share) {
-                return with_falls(sample_quantile(values, at.unknown, share, confidence, group_size), fallen);
+                auto found = sample_quantile(values, at.unknown, share, confidence, group_size);
+                if (independent < fewest_for(share)) {
+                    found.value = std::numeric_limits<double>::quiet_NaN();
+                }
+                return with_falls(found, fallen);
             });
             list.push_back(at);
         }

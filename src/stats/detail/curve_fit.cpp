@@ -114,7 +114,7 @@ void widen(Intervals& to, Intervals const& by) {
 
 FragilityFit::Intervals CurveFit::ends(FragilityFit::Method method) const {
     auto made = method == FragilityFit::Method::profile_likelihood ? profile : bootstrap;
-    if (method == FragilityFit::Method::wider_of_both) {
+    if (method == FragilityFit::Method::widest) {
         widen(made, profile);
         widen(made, few ? of_few : made);
     }
@@ -126,7 +126,7 @@ Interval CurveFit::probability(double intensity, FragilityFit::Method method) co
         return likelihood.probability(intensity);
     }
     auto ends = refits.probability(intensity, resampled_confidence);
-    if (method == FragilityFit::Method::wider_of_both) {
+    if (method == FragilityFit::Method::widest) {
         ends = hull(ends, likelihood.probability(intensity));
         ends = few ? hull(ends, few->probability(intensity)) : ends;
     }

@@ -172,7 +172,7 @@ def responses(results, rows, limits, path):
     axes.set(xlabel=MEASURES[results.measure] + (f" [{unit}]" if unit else ""),
              ylabel=label + (f" [{units}]" if units != "1" else ""))
     axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
-    axes.set_ylim(0, 1.25 if quantity == "peak_rotation_ratio" and np.nanmax(numbers(rows, "p95")) > 1.25
+    axes.set_ylim(0, 1.25 if quantity == "peak_rotation_ratio" and np.nanmax([0, *numbers(rows, "p95"), *numbers(rows, "median")]) > 1.25
                   else None)
     style.legend_below(figure, *axes.get_legend_handles_labels())
     style.save(figure, path)

@@ -6,16 +6,16 @@ DIGITS = 3
 
 
 def lacks_beta_u(f):
-    """The curve is known, but not how uncertain the body is: the interval has no upper end."""
-    return f["mean_per_year"] is not None and f["fractile_50_per_year"] is None
+    """It is not known how uncertain the body is: nothing has an upper end."""
+    return f["frequency_lower_per_year"] is not None and f["frequency_upper_per_year"] is None
 
 
 def row_of(report, f):
     def span(name):
-        return interval([f[f"{name}_lower_per_year"], f[f"{name}_upper_per_year"]], DIGITS)
-    low = f["frequency_lower_per_year"]
+        low = f[f"{name}_lower_per_year"]
+        return f"> {low_of(low, DIGITS)}" if lacks_beta_u(f) else interval([low, f[f"{name}_upper_per_year"]], DIGITS)
     fractiles = [f[f"fractile_{percent}_per_year"] for percent in (5, 50, 95)]
-    return [f["body"], report.limit_names[f["limit"]], f"> {low_of(low, DIGITS)}" if lacks_beta_u(f) else span("frequency"), value_of(f["mean_per_year"], DIGITS, "no curve"),
+    return [f["body"], report.limit_names[f["limit"]], span("frequency"), value_of(f["mean_per_year"], DIGITS, "no curve"),
             value_of(f["extrapolated_per_year"], 2),
             "beta_U unknown" if None in fractiles else ", ".join(value_of(value, DIGITS) for value in fractiles),
             span("stripes_alone")]

@@ -7,6 +7,7 @@ OVERTURNING = "overturning"  # the limit state that every campaign has
 MOST_PAIRS = 6  # of bodies, columns of a table
 MOST_OPEN_ROWS = 40  # of the stripes: longer tables scroll in a box
 QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
+SHARES = {"median": 0.5, "p84": 0.84, "p95": 0.95}
 RESPONSES = {"peak_slip": ("peak slip", "slip"), "peak_rotation_ratio": ("peak rotation / α", "")}  # name, kind of unit
 
 
@@ -28,8 +29,9 @@ def answer_table(sheet):
 
 
 def response(row, key):
-    """A percentile of a response; a trial that overturned lies above every value."""
-    return "overturned" if row[key] is None and row["overturned"] else value_of(row[key], 3)
+    """A percentile of a response; a trial that overturned lies above every value. Few waves give no percentile."""
+    beyond = (row["trials"] - 1) * (1 - SHARES[key])
+    return "overturned" if row[key] is None and row["overturned"] > beyond else value_of(row[key], 3)
 
 
 # The sections.
@@ -86,6 +88,10 @@ def of_the_levels(report):
     return paragraphs([report.notes["other_measures"]])
 
 
+def flags_of(fit):
+    return ", ".join(fit["flags"]) or ("none" if fit["identifiable"] else "no curve: " + fit["state"].replace("-", " "))
+
+
 def curves(report, limit):
     """Figure, fits, quoted probabilities, warnings and stripes of one limit state."""
     fits, stripes, did = report.fits_of(limit), report.stripes[limit], passed(limit)
@@ -93,7 +99,7 @@ def curves(report, limit):
     fitted = [[f["body"], report.amplitude(f["median"]), report.amplitudes(ends(f, "median"), 3),
                value_of(f["beta"], 3), interval(ends(f, "beta"), 3), report.capacity(f["five_percent_point"]),
                report.amplitudes(ends(f, "five_percent_point"), 3), report.capacity(f["hclpf"]),
-               report.amplitudes(ends(f, "hclpf"), 3), report.capacity(f["one_percent_point"]), ", ".join(f["flags"]) or "none"] for f in mine]
+               report.amplitudes(ends(f, "hclpf"), 3), report.capacity(f["one_percent_point"]), flags_of(f)] for f in mine]
     split = [[f["body"], value_of(f["beta"], 3), value_of(f["beta_r"], 3), value_of(f["beta_u"], 3),
               ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
                         for d in f["drawn"])] for f in mine if f["drawn"] and f["identifiable"]]
@@ -111,8 +117,11 @@ def curves(report, limit):
     bodies = len(report.results.bodies)
     many = bodies > fragility_figures.MOST_COMPARED
     ranked = [[f["body"], f["label"], *median_over(report, f), value_of(f["beta"], 3), interval(ends(f, "beta"), 3),
-               value_of(f["rank_area"], 3), interval(ends(f, "rank_area"), 3), ", ".join(f["flags"]) or "none"] for f in fits.values()]
+               value_of(f["rank_area"], 3), interval(ends(f, "rank_area"), 3), flags_of(f)] for f in fits.values()]
     counts = table(f"counts at every level: {what}", head, rows, kind="sortable")
+    warnings = paragraphs((f"{f['body']}: {line}" for f in mine for line in f["warnings"]), " class=warning")
+    if all(f["state"] == "few-records" for f in mine):  # no probability, and nothing to draw
+        return [warnings, counts]
     over_all = [] if report.fit["grid"] else [
         "" if limit == OVERTURNING else report.figure(  # the criterion's section has that of overturning
             f"measures-{limit}", lambda path: fragility_figures.measures(report.results, fits, path),
@@ -132,8 +141,7 @@ def curves(report, limit):
             if split else "",
             table(f"P of {what} at stated levels", ["body", "at", "amplitude", "P", "lower", "upper", "remark"], quoted) if quoted else "",
             *together(report, limit), *over_all,
-            paragraphs((f"{f['body']}: {line}" for f in mine for line in f["warnings"]), " class=warning"),
-            fold("counts at every level", counts) if len(rows) > MOST_OPEN_ROWS else counts]
+            warnings, fold("counts at every level", counts) if len(rows) > MOST_OPEN_ROWS else counts]
 
 
 def fragility(report):
@@ -155,9 +163,13 @@ def limits(report):
     report.section("limits", "Further limit states", *parts)
 
 
-def spread(row, key):
-    ends = [row[f"{key}_lower"], row[f"{key}_upper"]]
-    return response(row, key) if ends == [None, None] else f"{response(row, key)} ({interval(ends, 3)})"
+def spread(row, key, fallen):
+    """A percentile and its interval; an upper end that is a fall is no open end."""
+    known = without_fallen(row, fallen)
+    low, high = (known[f"{key}_{end}"] for end in ("lower", "upper"))
+    if row[f"{key}_upper"] is not None and high is None:
+        return f"{response(known, key)} ({low_of(low, 3, 'fell')} – fell)"
+    return response(known, key) if low is None and high is None else f"{response(known, key)} ({interval([low, high], 3)})"
 
 
 def in_unit(row, kind):
@@ -183,7 +195,7 @@ def responses(report):
             unit = style.unit(kind) if kind else ""
             fallen = 1.570796 / body.numbers["alpha_rad"] if quantity == "peak_rotation_ratio" else float("inf")
             mine = [in_unit(q, kind) for q in rows if q["body"] == body.name and q["quantity"] == quantity]
-            if not any(q["p95"] or q["overturned"] for q in mine):
+            if not any(q["p95_upper"] or q["p95_lower"] or q["median"] or q["overturned"] for q in mine):
                 continue
             limits_of_it = [{**limit, "threshold": style.shown(kind, limit["threshold"]) if kind else limit["threshold"]}
                             for limit in report.fit["limit_states"] if limit.get("quantity") == quantity]
@@ -193,7 +205,7 @@ def responses(report):
             what = f"{body.name}: {name}{f' [{unit}]' if unit else ''}"
             parts += [f"<h4>{escape(what)}</h4>", drawn,
                       table(what, ["level", *(title for _, title in QUANTILES), "trials"],
-                            [[report.amplitude(q["amplitude"]), *(spread(without_fallen(q, fallen), key) for key, _ in QUANTILES), q["trials"]]
+                            [[report.amplitude(q["amplitude"]), *(spread(q, key, fallen) for key, _ in QUANTILES), q["trials"]]
                              for q in mine])]
     if parts:
         report.section("responses", "Slip and tilt", *parts, paragraphs([report.notes["quantiles"]], " class=quiet"))

@@ -12,6 +12,7 @@ MODEL_COLOURS = [PALE, SKY, ORANGE, PURPLE, GREEN, BLUE]  # the first is rest
 ENDS = {"at-rest": PALE, "slid": ORANGE, "rocked": SKY, "slid-and-rocked": SKY, "overturned": VERMILION, "contact-lost": PURPLE, "failed": INK}
 LEAST_SLIP = 1e-4  # [m] that anyone asks about
 MOST_STEPS = 400  # of a distribution function: finer than print
+FEWEST_OF_A_SAMPLE = 5  # of fewer no band is drawn
 
 
 def steps_of(values):
@@ -60,13 +61,13 @@ def rotations(results, body, path, confidence=0.95):
     ratio = np.where(body.ended("decided"), ratio, np.nan)
     shown = np.where(np.isinf(ratio), 1.2, np.minimum(ratio, 1.2))  # what overturns leaves the picture on the right
     drawn = by_level(results, body, axes, shown, chosen_levels(body))
-    if drawn:
+    if drawn and drawn[len(drawn) // 2][1] >= FEWEST_OF_A_SAMPLE:
         number, count = drawn[len(drawn) // 2]
         x, share = steps_of(shown[(body.trials("level") == number) & np.isfinite(shown)])
         reach = np.sqrt(np.log(2 / (1 - confidence)) / (2 * count))
         amplitude, unit = results.in_units(body.stripes["amplitude"][number])
         axes.fill_between(x, np.clip(share - reach, 0, 1), np.clip(share + reach, 0, 1), step="post", color=GREY, alpha=0.25,
-                          lw=0, label=f"{100 * confidence:g} % band (DKW) of {float(amplitude):.4g} {unit}".strip())
+                          lw=0, label=f"{100 * confidence:g} % band (Dvoretzky, Kiefer, Wolfowitz) of {float(amplitude):.4g} {unit}".strip())
     axes.axvline(1, color=GREY, lw=0.8, ls="--", label="critical angle")
     axes.set(xlim=(0, 1.15), ylim=(0, 1.02), xlabel="peak rotation / α", ylabel="share of trials",
              title=f"peak rotation{of_levels(body, drawn)}")
