@@ -278,6 +278,11 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
             records.back().recording = station_files.recording_of(in_folder(folder, name));
         }
     } else {
+        for (auto const& key : reading_keys.all) {
+            if (waves.has(key.name)) {
+                waves.fail(key.name, "beside [[waves.records]] (each record has its own). Move it into these tables");
+            }
+        }
         for (auto const& table : waves.children(record_files_keys["records"])) {
             records.push_back(read_table(table, station_files, files, folder));
             records.back().name = table.has("horizontal") ? table.text(record_keys["horizontal"]) : std::string();

@@ -89,6 +89,15 @@ TEST(Records, ComponentsOfOneStationAreFoundByTheHeads) {
     EXPECT_EQ(of_peer->about().shared.most, 2);
 }
 
+// how records are read is each record's own where each has a table.
+TEST(Records, KeysBesideTablesAreRefused) {
+    expect_input_error(
+        [] {
+            (void)source_of("source='records'\nbaseline='mean'\n[[records]]\nhorizontal='a.csv'\nunit='gal'\n", files);
+        },
+        "baseline: beside [[waves.records]]");
+}
+
 TEST(Records, TablesPlaceComponents) {
     auto const source =
         source_of("source='records'\n[[records]]\nhorizontal='a.csv'\nvertical='b.csv'\nunit='m/s2'\n", files);
