@@ -10,6 +10,7 @@
 #include "campaign/typed_units.hpp"
 #include "core/error.hpp"
 #include "core/outward.hpp"
+#include "results/few_waves.hpp"
 
 namespace overturn::output {
 namespace {
@@ -130,15 +131,18 @@ std::string question_text(CampaignSpec const& spec) {
         return spec.cover.question;
     }
     return spec.is_grid() ? fmt::format("At which amplitudes and frequencies does {} overturn?", bodies_text(spec))
-                          : fmt::format("How likely is {} to overturn{} {}?", bodies_text(spec), other_limits(spec),
-                                        levels_text(spec.levels));
+           : no_sample(spec, spec.wave_count)
+               ? fmt::format("Which of these recorded motions overturn {}{} {}?", bodies_text(spec),
+                             spec.limits.size() < 2 ? "" : ", or pass another limit state,", levels_text(spec.levels))
+               : fmt::format("How likely is {} to overturn{} {}?", bodies_text(spec), other_limits(spec),
+                             levels_text(spec.levels));
 }
 
 std::vector<std::string> method_lines(CampaignSpec const& spec) {
     std::vector<std::string> lines{
         "Each trial follows one rigid body through one wave at one level, by time steps: uplift, impacts, overturning. "
         "Slip, a compliant pad and motion in space are simulated where the scene requires them."};
-    if (!spec.is_grid()) {
+    if (!no_sample(spec, spec.wave_count)) {
         lines.emplace_back(
             "P at a level is the share of trials that overturn. Its interval is exact for independent waves (Clopper "
             "and Pearson 1934).");
