@@ -56,7 +56,7 @@ TEST_F(Report, IsOnePageThatNeedsNoNetwork) {
     EXPECT_NE(page.find("<svg"), std::string::npos);
     // by what the waves differ stands right behind the fits, before any other table.
     auto const fits = page.find("<th scope=col>HCLPF</th>", page.find("<section id=\"fragility\">"));
-    auto const differ = page.find("Waves differ by random phases only", fits);
+    auto const differ = page.find("Variability of the waves: random phases only", fits);
     ASSERT_NE(fits, std::string::npos);
     EXPECT_LT(differ, page.find("<table ", fits)) << "of the next table";
     // Texts begin at the left, numbers end at the right. The last sheet of a print is more than one short table.
