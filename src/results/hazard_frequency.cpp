@@ -68,16 +68,14 @@ Interval interval_of_fit(FragilityFit const& fit, HazardCurve const& hazard, Tri
     return ends;
 }
 
-// Has any wave a component beside the horizontal one? Drawn waves do not differ in that.
+// Has any wave a component beside the horizontal one, or may it have one? Drawn waves do not differ in that.
 bool has_further_components(CampaignSpec const& spec) {
-    auto const waves = spec.source->about().available ? static_cast<std::uint64_t>(spec.wave_count) : 1;
-    for (std::uint64_t wave = 0; wave < waves; ++wave) {
-        auto const motion = spec.source->make_unjudged(spec.seed, wave).motion;
-        if (!motion.transverse_mps2.empty() || !motion.vertical_mps2.empty()) {
-            return true;
-        }
+    auto const& measured = spec.source->about().measured;
+    if (!measured.empty()) {
+        return std::ranges::any_of(measured, [](auto const& wave) { return wave.transverse || wave.vertical; });
     }
-    return false;
+    auto const motion = spec.source->make_unjudged(spec.seed, 0).motion;
+    return !motion.transverse_mps2.empty() || !motion.vertical_mps2.empty();
 }
 
 // A rigid body on its two corners moves under no peak acceleration up to that of uplift, or of slip. Elsewhere, under

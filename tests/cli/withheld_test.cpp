@@ -70,6 +70,18 @@ TEST_F(Withheld, TheFileHoldsNamesAndHashesAlone) {
     EXPECT_EQ(whole.substr(0, whole.find("hand")).substr(0, 500), stripes.substr(0, 500));
 }
 
+// an annual frequency needs no record: a withheld one may have any component.
+TEST_F(Withheld, AnnualFrequenciesAreFoundWithoutTheRecords) {
+    folder.write("pga.toml",
+                 "seed=1\ninputs='hash-only'\n[waves]\nsource='records'\nfiles=['one.csv']\nbaseline='mean'\n"
+                 "[[bodies]]\nfile='body.toml'\n[levels]\nmeasure='pga'\nvalues=['0.3 g', '0.6 g']\n");
+    ASSERT_EQ(overturn(folder, {"run", "pga.toml", "-o", "away/pga.h5"}).code, 0);
+    folder.write("away/h.csv", "pga [g], annual_exceedance\n0.1,1e-2\n5,1e-7\n");
+    auto const fit = there({"fit", "pga.h5", "--hazard", "h.csv"});
+    EXPECT_EQ(fit.code, 0) << fit.err;
+    EXPECT_NE(fit.out.find("needs 5 records or more (1 here)"), std::string::npos) << fit.out;
+}
+
 TEST_F(Withheld, WhoComputesNeedsTheRecords) {
     auto const refused = [&](std::vector<std::string> const& arguments, std::string const& why) {
         auto const ended = there(arguments);
