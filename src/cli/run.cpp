@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,7 +16,6 @@
 #include "core/next_step.hpp"
 #include "core/print_note.hpp"
 #include "runner/progress.hpp"
-#include "runner/root_broadcast.hpp"
 #include "runner/stop_policy.hpp"
 
 namespace overturn::cli {
@@ -43,15 +41,6 @@ double read_walltime(std::string const& text) {
     } catch (InputError const& error) {
         throw InputError(fmt::format("--max-walltime: {}", error.what()));
     }
-}
-
-// What rank 0 hears of a batch system: other nodes may not have its environment.
-double seconds_of_job(parallel::Communicator const& comm) {
-    auto const end = broadcast_from_root(comm, [] {
-        char const* const stated = std::getenv("SLURM_JOB_END_TIME");
-        return std::string(stated == nullptr ? "" : stated);
-    });
-    return seconds_until(end, std::chrono::system_clock::now());
 }
 
 // "2/8"

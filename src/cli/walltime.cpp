@@ -1,6 +1,7 @@
 #include "cli/walltime.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <string_view>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/digit.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "runner/root_broadcast.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -74,6 +76,14 @@ double seconds_until(std::string const& end, std::chrono::system_clock::time_poi
         return std::numeric_limits<double>::infinity();
     }
     return left > 0 ? left - std::min(leaving_s, leaving_share * left) : 0;
+}
+
+double seconds_of_job(parallel::Communicator const& comm) {
+    auto const end = broadcast_from_root(comm, [] {
+        char const* const stated = std::getenv("SLURM_JOB_END_TIME");
+        return std::string(stated == nullptr ? "" : stated);
+    });
+    return seconds_until(end, std::chrono::system_clock::now());
 }
 
 double parse_walltime(std::string const& text) {

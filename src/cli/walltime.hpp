@@ -4,6 +4,8 @@
 #include <chrono>
 #include <string>
 
+#include "parallel/communicator.hpp"
+
 namespace overturn::cli {
 
 /// "50 min", "1h", "90" (s), and Slurm's MM:SS, HH:MM:SS, D-HH, D-HH:MM, D-HH:MM:SS. [s]
@@ -14,5 +16,8 @@ namespace overturn::cli {
 /// 30 s at most. 0 where it has just passed, as where a busy node starts the program late. Infinite where there is no
 /// such time, or it passed more than an hour ago, so that it is another job's. [s]
 [[nodiscard]] double seconds_until(std::string const& end, std::chrono::system_clock::time_point now);
+
+/// The same of this job, as rank 0 hears of it: other nodes may not have its environment. Collective. [s]
+[[nodiscard]] double seconds_of_job(parallel::Communicator const& comm);
 
 }  // namespace overturn::cli

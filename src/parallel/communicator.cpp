@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdlib>
 #include <exception>
-#include <thread>
 
 #if __has_include(<execinfo.h>)
 #include <execinfo.h>
@@ -14,24 +12,14 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
-#include "core/error.hpp"
+#include "parallel/detail/check.hpp"
+#include "parallel/pause.hpp"
 
 namespace overturn::parallel {
 namespace {
 
-void check(int code, char const* what) {
-    if (code != MPI_SUCCESS) {
-        throw SystemError(fmt::format("MPI: {} failed with code {} (see the lines above)", what, code));
-    }
-}
-
-// Waits without burning the core: at first it looks again at once, then it sleeps, up to a fifth of a millisecond.
-// MPI's own waits never sleep, and a rank that still works may need the core.
 void wait_for(MPI_Request& request, char const* what, std::function<void()> const& meanwhile = {}) {
-    using std::chrono::microseconds;
-    constexpr int looks = 200;
-    constexpr microseconds longest(200);
-    for (int look = 0;; ++look) {
+    for (Pause pause;; pause()) {
         int done = 0;
         check(MPI_Test(&request, &done, MPI_STATUS_IGNORE), what);
         if (done != 0) {
@@ -39,11 +27,6 @@ void wait_for(MPI_Request& request, char const* what, std::function<void()> cons
         }
         if (meanwhile) {
             meanwhile();
-        }
-        if (look >= looks) {
-            std::this_thread::sleep_for(std::min(longest, microseconds(look - looks + 1)));
-        } else {
-            std::this_thread::yield();
         }
     }
 }

@@ -20,9 +20,11 @@
 #include "results/telling_trials.hpp"
 #include "runner/detail/merging_ranks.hpp"
 #include "runner/detail/stopping.hpp"
+#include "runner/detail/watchdog.hpp"
 #include "runner/output_place.hpp"
 #include "runner/root_broadcast.hpp"
 #include "runner/runtime_file.hpp"
+#include "runner/stop_policy.hpp"
 #include "store/durable.hpp"
 #include "store/results_file.hpp"
 
@@ -127,12 +129,11 @@ std::string tables_of(BlocksToMerge const& what, Statistics const& statistics, s
 
 }  // namespace
 
-std::optional<std::string> merge_blocks(BlocksToMerge const& what, std::function<std::optional<Plan>()> const& chosen,
-                                        std::function<bool()> const& keep_running, std::span<RareBody const> rare,
-                                        MergeOptions const& options) {
-    constexpr char whole = '+';
-    MergingRanks const ranks(what.comm, what.spec, what.drawn, what.shards, keep_running);
-    std::string tables;
+bool merge_blocks(BlocksToMerge const& what, std::function<std::optional<Plan>()> const& chosen,
+                  std::function<bool()> const& keep_running, std::function<void(std::string const&)> const& show,
+                  std::span<RareBody const> rare, MergeOptions const& options) {
+    MergingRanks ranks(what.comm, what.spec, what.drawn, what.shards, keep_running);
+    bool is_whole = false;
     auto const lead = [&] {
         auto const plan = chosen();
         if (!plan) {
@@ -144,20 +145,22 @@ std::optional<std::string> merge_blocks(BlocksToMerge const& what, std::function
             [&](std::int64_t block) { return ranks.read(block); }, statistics, rare, options.layout,
             ranks.help(options.layout));
         ranks.remove_blocks();
-        tables = whole + tables_of(what, statistics, std::move(analysis), rare, options.text);
+        is_whole = true;
+        show(tables_of(what, statistics, std::move(analysis), rare, options.text));
     };
     if (!what.comm.is_root()) {
         ranks.run({});
     }
-    auto const text = broadcast_from_root(what.comm, [&] {
-        try {
-            ranks.run(lead);
-        } catch (Interrupted const&) {
-            tables.clear();
-        }
-        return tables;
-    });
-    return text.empty() ? std::nullopt : std::optional(text.substr(1));
+    return broadcast_from_root(what.comm,
+                               [&] {
+                                   try {
+                                       ranks.run(lead);
+                                   } catch (Interrupted const&) {
+                                       return std::string();
+                                   }
+                                   return std::string(is_whole ? "whole" : "");
+                               })
+           == "whole";
 }
 
 std::string resume_command(CampaignInput const& input, std::filesystem::path const& output, std::string_view flag) {
@@ -179,6 +182,8 @@ CampaignInput begun_campaign(std::filesystem::path const& output) {
 
 MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator const& comm,
                      MergeOptions const& options) {
+    StopPolicy const stop_policy(options.max_walltime_s);
+    Watchdog const watchdog(stop_policy, comm);
     std::optional<store::BlockLock> lock;
     auto const begun = broadcast_from_root(comm, [&] {
         if (std::filesystem::exists(output)) {
@@ -206,18 +211,19 @@ MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator
     BlocksToMerge const parts{output, input, spec, whole, shards, comm};
     auto const merged = [&](std::function<std::vector<std::int64_t>()> const& blocks) {
         std::vector<std::string> segments;
-        auto const tables = merge_blocks(
+        bool const is_there = merge_blocks(
             parts,
             [&] {
                 segments = shards.segments();
                 return chosen_of_parts(parts, blocks());
             },
-            [] { return true; }, {}, options);
-        if (tables && comm.is_root()) {
-            write_runtime(output, segments);
-            fmt::print("{}results: {}\n", *tables, output.string());
-        }
-        return tables ? MergeEnd::complete : MergeEnd::missing;
+            [&] { return stop_policy.may_merge(); },
+            [&](std::string const& tables) {
+                write_runtime(output, segments);
+                fmt::print("{}results: {}\n", tables, output.string());
+            },
+            {}, options);
+        return is_there ? MergeEnd::complete : MergeEnd::missing;
     };
     // Read once, on rank 0: a note names each that is not sound.
     std::optional<std::vector<std::int64_t>> found_sound;

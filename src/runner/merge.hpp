@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@ namespace overturn {
 struct MergeOptions {
     store::Layout layout = store::Layout::plain;
     output::TextOptions text{};
+    double max_walltime_s = std::numeric_limits<double>::infinity();  ///< of merge_parts; a run has its own
 };
 
 /// Blocks of a campaign, and who merges them.
@@ -36,16 +38,16 @@ struct BlocksToMerge {
 
 /// Writes the results file and removes the blocks once it is durable. All ranks read, write and hash a part of the
 /// rows, each in the memory of one block; rank 0 keeps two million trials for the curves. Where only rank 0 can add up
-/// what waves have (Statistics::add_up), or the file is packed, it does all of that alone. Collective. \param chosen on
-/// rank 0: which of the waves count \param keep_running asked before every block, on every rank \param rare one per
-/// body, or none \return on all ranks what is printed; nothing, and all blocks as they were, if `keep_running` said no
-/// \throws InputError, CollectiveError on every rank if a block is missing or damaged, or the file cannot be written;
-/// the blocks stay
-[[nodiscard]] std::optional<std::string> merge_blocks(BlocksToMerge const& what,
-                                                      std::function<std::optional<Plan>()> const& chosen,
-                                                      std::function<bool()> const& keep_running,
-                                                      std::span<RareBody const> rare = {},
-                                                      MergeOptions const& options = {});
+/// what waves have (Statistics::add_up), or the file is packed, it does all of that alone. A rank that stops meanwhile
+/// holds up nobody (MergingRanks). Collective. \param chosen on rank 0: which of the waves count \param keep_running
+/// asked before every block, on every rank \param show on rank 0, once the file is durable and the blocks are removed:
+/// given what is to be printed \param rare one per body, or none \return on all ranks whether the file is there; if
+/// not, because `keep_running` or `chosen` said no, all blocks are as they were \throws InputError, CollectiveError on
+/// every rank if a block is missing or damaged, or the file cannot be written; the blocks stay
+[[nodiscard]] bool merge_blocks(BlocksToMerge const& what, std::function<std::optional<Plan>()> const& chosen,
+                                std::function<bool()> const& keep_running,
+                                std::function<void(std::string const& tables)> const& show,
+                                std::span<RareBody const> rare = {}, MergeOptions const& options = {});
 
 /// End of merging the parts of an array job.
 enum class MergeEnd { complete, missing };

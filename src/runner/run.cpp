@@ -19,6 +19,7 @@
 #include "runner/detail/part_plan.hpp"
 #include "runner/detail/rare_run.hpp"
 #include "runner/detail/stopping.hpp"
+#include "runner/detail/watchdog.hpp"
 #include "runner/detail/worker.hpp"
 #include "runner/merge.hpp"
 #include "runner/output_place.hpp"
@@ -63,6 +64,7 @@ class Run {
           options_(options),
           comm_(comm),
           stop_policy_(options.max_walltime_s),
+          watchdog_(stop_policy_, comm),
           spec_(parse_campaign(input)),
           plan_(plan_of_part(spec_, options.part)),
           waves_(spec_, plan_),
@@ -230,19 +232,21 @@ class Run {
 
     RunEnd merge() {
         auto const begin = Clock::now();
-        auto const table = merge_blocks(
+        bool const whole = merge_blocks(
             {options_.output, input_, spec_, plan_, shards_, comm_},
             [&] {
                 earlier_segments_ = shards_.segments();
                 return std::optional(waves_.chosen(chosen_));
             },
             [&] { return stop_policy_.may_merge(); },
+            [&](std::string const& tables) {
+                if (!options_.quiet) {
+                    fmt::print("{}results: {}\n", tables, options_.output.string());
+                }
+            },
             rare_ ? std::span<RareBody const>(*rare_) : std::span<RareBody const>(), options_.merge);
         done_.seconds.store += comm_.is_root() ? seconds_since(begin) : 0;
-        if (comm_.is_root() && table && !options_.quiet) {
-            fmt::print("{}results: {}\n", *table, options_.output.string());
-        }
-        return table ? RunEnd::complete : RunEnd::stopped;
+        return whole ? RunEnd::complete : RunEnd::stopped;
     }
 
     void account() {
@@ -276,6 +280,7 @@ class Run {
     RunOptions const& options_;
     parallel::Communicator const& comm_;
     StopPolicy stop_policy_;
+    Watchdog watchdog_;
     CampaignSpec spec_;
     Plan plan_;
     AcceptedWaves waves_;  ///< where a rule is asked known on rank 0 alone

@@ -82,7 +82,11 @@ bool StopPolicy::may_merge() const {
     return may_go_on() && (requested == 0 || now_ms() - requested_ms < merge_grace_ms);
 }
 
-bool StopPolicy::is_overdue(double by_s) const { return elapsed_s() > after_s_ + by_s; }
+// A batch system's job ends a tenth of the run after its limit, or 30 s: all are to have left before that.
+double StopPolicy::overdue_in_s() const {
+    constexpr double least_s = 10, most_s = 20, share = 1. / 15;
+    return after_s_ + std::clamp(share * after_s_, least_s, most_s) - elapsed_s();
+}
 
 void StopPolicy::block_took(double seconds) { longest_s_ = std::max(longest_s_, seconds); }
 

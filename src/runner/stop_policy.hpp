@@ -7,6 +7,8 @@
 
 namespace overturn {
 
+inline constexpr int ends_resumable = 3;  ///< exit code of a rank that ends all where leaving together fails
+
 /// Makes SIGUSR1, SIGUSR2, SIGTERM and SIGINT ask the run to stop instead of killing it. A second one, half a second
 /// later or more, kills: launchers may deliver one request twice.
 void stop_on_signals();
@@ -28,8 +30,10 @@ class StopPolicy {
     [[nodiscard]] bool may_go_on() const;
     /// May the merge go on? For some time after a SIGUSR1: most are done by then, and it would begin anew.
     [[nodiscard]] bool may_merge() const;
-    /// Is the time limit passed by so many seconds?
-    [[nodiscard]] bool is_overdue(double by_s) const;
+    /// Is the time limit passed by more than leaving takes? Then this rank, or one that it waits for, hangs.
+    [[nodiscard]] bool is_overdue() const { return overdue_in_s() <= 0; }
+    /// Until then; infinite without a limit. [s]
+    [[nodiscard]] double overdue_in_s() const;
     /// One more block took this long.
     void block_took(double seconds);
     /// The longest of them; 0: none yet.

@@ -1,5 +1,7 @@
 #include "runner/detail/merging_ranks.hpp"
 
+#include <algorithm>
+#include <cstdio>
 #include <sstream>
 #include <utility>
 
@@ -7,7 +9,10 @@
 #include <fmt/ranges.h>
 
 #include "core/error.hpp"
+#include "core/print_note.hpp"
+#include "parallel/pause.hpp"
 #include "results/statistics.hpp"
+#include "runner/stop_policy.hpp"
 
 namespace overturn {
 namespace {
@@ -17,16 +22,61 @@ constexpr char is_done = '+';
 constexpr char has_failed = '!';
 constexpr char was_interrupted = '?';
 constexpr std::size_t digits = 64;
+// When a share is done again: as long after the longest as that took, and a second.
+constexpr double done_again_after_s = 1, times_longest = 2;
+// When nothing is left to do, all ranks end without one that stays away so many times as long as the longest share.
+constexpr double hung_after_shares = 10;
+constexpr int ends_failed = 1;
+
+// "17 text"
+std::pair<std::int64_t, std::string> numbered(std::string const& text) {
+    auto const blank = text.find(' ');
+    return {std::stoll(text.substr(0, blank)), text.substr(blank + 1)};
+}
+
+// "0 17 text"
+std::pair<store::BlockRange, std::string> blocks_of(std::string const& text) {
+    auto const [first, rest] = numbered(text);
+    auto const [last, more] = numbered(rest);
+    return {{first, last}, more};
+}
 
 }  // namespace
+
+struct MergingRanks::Shares {
+    struct Asked {
+        std::size_t share;
+        Clock::time_point at;
+    };
+
+    std::function<std::string(std::size_t)> task;          ///< text of a share
+    std::vector<std::optional<std::string>> answers = {};  ///< of all shares
+    std::map<std::int64_t, Asked> asked = {};              ///< of other ranks, by number
+    double longest_s = 0;                                  ///< that one took
+    Clock::time_point handed_out = Clock::now();
+
+    [[nodiscard]] bool are_done() const {
+        return std::ranges::all_of(answers, [](auto const& answer) { return answer.has_value(); });
+    }
+    // The first answer counts.
+    void take(std::size_t share, Clock::time_point asked_at, std::string answer) {
+        if (!answers[share]) {
+            answers[share] = std::move(answer);
+            longest_s = std::max(longest_s, seconds_since(asked_at));
+        }
+    }
+};
 
 MergingRanks::MergingRanks(parallel::Communicator const& comm, CampaignSpec const& spec, Plan const& drawn,
                            store::ShardFolder const& shards, std::function<bool()> keep_running)
     : comm_(comm), spec_(spec), drawn_(drawn), shards_(shards), keep_running_(std::move(keep_running)) {
     help_.rows = [this](store::RowPlaces const& places, Plan const& plan) {
         Statistics sum(spec_, TrialsHeld::none);
-        for (auto const& of_rank : all_do(Task::rows, fmt::format("{} {}", plan.blocks(), places.serialise()))) {
-            std::istringstream in(of_rank);
+        auto const where = places.serialise();
+        for (auto const& of_share : all_do(Task::rows, plan.blocks(), [&](Share blocks) {
+                 return fmt::format("{} {} {}", blocks.first, blocks.last, where);
+             })) {
+            std::istringstream in(of_share);
             std::vector<std::int64_t> counts;
             for (std::int64_t count = 0; in >> count;) {
                 counts.push_back(count);
@@ -36,14 +86,16 @@ MergingRanks::MergingRanks(parallel::Communicator const& comm, CampaignSpec cons
         return sum.counts();
     };
     help_.hash = [this](std::filesystem::path const& path, std::span<store::Stretch const> stretches) {
-        auto text = fmt::format("{}\n", stretches.size());
-        for (auto const& stretch : stretches) {
-            text += fmt::format("{} {}\n", stretch.at, stretch.bytes);
-        }
         std::vector<std::string> hashes;
-        for (auto const& of_rank : all_do(Task::hash, text + path.string())) {
-            for (std::size_t at = 0; at < of_rank.size(); at += digits) {
-                hashes.push_back(of_rank.substr(at, digits));
+        for (auto const& of_share : all_do(Task::hash, std::ssize(stretches), [&](Share some) {
+                 auto text = fmt::format("{}\n", some.last - some.first);
+                 for (auto const& stretch : stretches.subspan(some.first, some.last - some.first)) {
+                     text += fmt::format("{} {}\n", stretch.at, stretch.bytes);
+                 }
+                 return text + path.string();
+             })) {
+            for (std::size_t at = 0; at < of_share.size(); at += digits) {
+                hashes.push_back(of_share.substr(at, digits));
             }
         }
         OVERTURN_ENSURE(hashes.size() == stretches.size());
@@ -51,35 +103,30 @@ MergingRanks::MergingRanks(parallel::Communicator const& comm, CampaignSpec cons
     };
 }
 
-void MergingRanks::run(std::function<void()> const& lead) const {
+void MergingRanks::run(std::function<void()> const& lead) {
     if (!comm_.is_root()) {
         for (;;) {
-            std::string text;
-            comm_.broadcast(text);
-            auto const task = static_cast<Task>(text.front());
-            if (task == Task::leave) {
+            auto const [number, task] = numbered(letters_.wait().text);
+            if (static_cast<Task>(task.front()) == Task::leave) {
+                comm_.wait_for_all({});
                 return;
             }
-            (void)comm_.gather(answer(task, text.substr(1)));
+            letters_.send(0, fmt::format("{} {}", number, answer(task)));
         }
     }
-    auto const let_go = [&] {
-        auto text = std::string(1, static_cast<char>(Task::leave));
-        comm_.broadcast(text);
-    };
     try {
         lead();
-    } catch (InputError const&) {
-        let_go();
+    } catch (InputError const& error) {
+        let_go(error.what(), ends_failed);
         throw;
-    } catch (SystemError const&) {
-        let_go();
+    } catch (SystemError const& error) {
+        let_go(error.what(), ends_failed);
         throw;
     } catch (Interrupted const&) {
-        let_go();
+        let_go("Blocks on disk are kept", ends_resumable);
         throw;
     }
-    let_go();
+    let_go("What is merged is complete", ends_resumable);
 }
 
 WritingHelp const* MergingRanks::help(store::Layout layout) const {
@@ -88,33 +135,61 @@ WritingHelp const* MergingRanks::help(store::Layout layout) const {
     return together ? &help_ : nullptr;
 }
 
-void MergingRanks::remove_blocks() const {
-    (void)all_do(Task::remove, {});
+void MergingRanks::remove_blocks() {
+    (void)all_do(Task::remove, drawn_.blocks(),
+                 [](Share blocks) { return fmt::format("{} {} ", blocks.first, blocks.last); });
     shards_.remove();
 }
 
 std::vector<std::byte> MergingRanks::read(std::int64_t block) const {
-    if (!keep_running_()) {
-        throw Interrupted();
-    }
+    serve();
     return shards_.read(block);
 }
 
-MergingRanks::Share MergingRanks::share_of(std::int64_t count) const {
-    return {count * comm_.rank() / comm_.size(), count * (comm_.rank() + 1) / comm_.size()};
+void MergingRanks::serve() const {
+    if (comm_.is_root()) {
+        comm_.serve();
+    }
+    if (!keep_running_()) {
+        throw Interrupted();
+    }
 }
 
-std::vector<std::string> MergingRanks::all_do(Task task, std::string const& text) const {
-    auto whole = std::string(1, static_cast<char>(task)) + text;
-    comm_.broadcast(whole);
-    auto answers = comm_.gather(answer(task, text));
-    bool is_time_to_go = false;
-    for (auto& each : answers) {
-        if (each.front() == has_failed) {
-            throw SystemError(each.substr(1));
+// Those that have answered all, rank 0 first.
+std::vector<int> MergingRanks::ready() const {
+    std::vector<int> ranks;
+    for (int rank = 0; rank < comm_.size(); ++rank) {
+        if (!asked_.contains(rank)) {
+            ranks.push_back(rank);
         }
-        is_time_to_go = is_time_to_go || each.front() == was_interrupted;
-        each.erase(0, 1);
+    }
+    return ranks;
+}
+
+std::vector<std::string> MergingRanks::all_do(Task task, std::int64_t count, TextOfShare const& text) {
+    auto const ranks = ready();
+    std::int64_t const parts = std::ssize(ranks);
+    Shares shares{[&](std::int64_t part) {
+        return static_cast<char>(task) + text({count * part / parts, count * (part + 1) / parts});
+    }};
+    shares.answers.resize(parts);
+    for (std::size_t share = 1; share < ranks.size(); ++share) {
+        ask(shares, share, ranks[share]);
+    }
+    do_here(shares, 0);
+    for (parallel::Pause pause; !shares.are_done(); pause()) {
+        take_answers(shares);
+        hand_out_again(shares);
+    }
+    longest_s_ = std::max(longest_s_, shares.longest_s);
+    std::vector<std::string> answers;
+    bool is_time_to_go = false;
+    for (auto const& each : shares.answers) {
+        if (each->front() == has_failed) {
+            throw SystemError(each->substr(1));
+        }
+        is_time_to_go = is_time_to_go || each->front() == was_interrupted;
+        answers.push_back(each->substr(1));
     }
     if (is_time_to_go) {
         throw Interrupted();
@@ -122,14 +197,82 @@ std::vector<std::string> MergingRanks::all_do(Task task, std::string const& text
     return answers;
 }
 
-std::string MergingRanks::answer(Task task, std::string const& text) const {
-    try {
-        if (task == Task::remove) {
-            auto const [first, last] = share_of(drawn_.blocks());
-            shards_.remove_blocks({first, last});
-            return {is_done};
+void MergingRanks::ask(Shares& shares, std::size_t share, int rank) {
+    asked_[rank] = ++numbers_;
+    shares.asked.emplace(numbers_, Shares::Asked{share, Clock::now()});
+    letters_.send(rank, fmt::format("{} {}", numbers_, shares.task(share)));
+}
+
+void MergingRanks::do_here(Shares& shares, std::size_t share) const {
+    auto const begin = Clock::now();
+    shares.take(share, begin, answer(shares.task(share)));
+}
+
+// What a rank answers to an earlier task has a number that no share of this one has.
+void MergingRanks::take_answers(Shares& shares) {
+    while (auto const letter = letters_.take()) {
+        auto [number, text] = numbered(letter->text);
+        asked_.erase(letter->from);
+        if (auto const found = shares.asked.find(number); found != shares.asked.end()) {
+            shares.take(found->second.share, found->second.at, std::move(text));
         }
-        return is_done + (task == Task::rows ? rows(text) : hashes(text));
+    }
+}
+
+// Each to another rank that is ready; what is too much for these rank 0 does.
+void MergingRanks::hand_out_again(Shares& shares) {
+    if (seconds_since(shares.handed_out) < done_again_after_s + times_longest * shares.longest_s) {
+        return;
+    }
+    auto const ranks = ready();
+    std::size_t next = 1;
+    for (std::size_t share = 0; share < shares.answers.size(); ++share) {
+        if (!shares.answers[share] && next < ranks.size()) {
+            ask(shares, share, ranks[next++]);
+        } else if (!shares.answers[share]) {
+            do_here(shares, share);
+        }
+    }
+    shares.handed_out = Clock::now();
+}
+
+// Nothing that is durable depends on a rank which does not come.
+void MergingRanks::let_go(std::string const& outcome, int code_without_all) {
+    for (int rank = 1; rank < comm_.size(); ++rank) {
+        letters_.send(rank, fmt::format("{} {}", ++numbers_, static_cast<char>(Task::leave)));
+    }
+    auto const begin = Clock::now();
+    Shares none{};
+    comm_.wait_for_all([&] {
+        take_answers(none);
+        if (seconds_since(begin) > hung_after_shares * std::max(done_again_after_s, longest_s_)) {
+            (void)std::fflush(stdout);
+            print_note(
+                "overturn: a rank has not answered for {:.0f} s (stopped, or its node is down): all ranks end. {}\n",
+                seconds_since(begin), outcome);
+            comm_.abort(code_without_all);
+        }
+    });
+    while (!asked_.empty()) {
+        take_answers(none);
+    }
+}
+
+std::string MergingRanks::answer(std::string const& task) const {
+    auto const kind = static_cast<Task>(task.front());
+    auto const text = task.substr(1);
+    try {
+        switch (kind) {
+            case Task::rows:
+                return is_done + rows(text);
+            case Task::hash:
+                return is_done + hashes(text);
+            case Task::remove:
+            case Task::leave:
+                break;
+        }
+        shards_.remove_blocks(blocks_of(text).first);
+        return {is_done};
     } catch (Interrupted const&) {
         return {was_interrupted};
     } catch (InputError const& error) {
@@ -140,11 +283,9 @@ std::string MergingRanks::answer(Task task, std::string const& text) const {
 }
 
 std::string MergingRanks::rows(std::string const& text) const {
-    auto const blank = text.find(' ');
-    auto const [first, last] = share_of(std::stoll(text.substr(0, blank)));
+    auto const [blocks, places] = blocks_of(text);
     auto const counts = write_rows_in_place(
-        spec_, drawn_, {first, last}, [&](std::int64_t block) { return read(block); },
-        store::RowPlaces::deserialise(text.substr(blank + 1)));
+        spec_, drawn_, blocks, [&](std::int64_t block) { return read(block); }, store::RowPlaces::deserialise(places));
     return fmt::format("{}", fmt::join(counts, " "));
 }
 
@@ -158,9 +299,12 @@ std::string MergingRanks::hashes(std::string const& text) const {
     }
     in.get();
     auto const path = text.substr(static_cast<std::size_t>(in.tellg()));
-    auto const [first, last] = share_of(std::ssize(stretches));
-    return fmt::format("{}",
-                       fmt::join(store::hash_stretches(path, std::span(stretches).subspan(first, last - first)), ""));
+    std::string digests;
+    for (auto const& stretch : stretches) {
+        serve();
+        digests += store::hash_stretches(path, std::span(&stretch, 1)).front();
+    }
+    return digests;
 }
 
 }  // namespace overturn

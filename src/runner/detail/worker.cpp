@@ -26,8 +26,7 @@ constexpr double least_patience_s = 1;
 constexpr double patience_untried_s = 30;  // of a rank that computed no block
 constexpr double taken_over_look_s = 0.5;  // how often a rank looks whether its blocks were taken over
 // After so long a rank that does not come is taken for stopped or dead, and the run ends: blocks on disk stay.
-constexpr double hung_after_s = 60, hung_after_blocks = 10, overdue_s = 30, hung_look_s = 5;
-constexpr int leaves_resumable = 3;
+constexpr double hung_after_s = 60, hung_after_blocks = 10, hung_look_s = 5;
 constexpr std::int64_t stop_mark = std::int64_t{1} << 40U;  // beside the blocks done, which never come near it
 
 class Worker {
@@ -196,7 +195,7 @@ class Worker {
     void end_without_hung_ranks() {
         double const waited_s = seconds_since(waits_since_);
         double const most_s = std::max(hung_after_s, hung_after_blocks * stop_policy_.longest_block_s());
-        bool const overdue = stop_policy_.is_overdue(overdue_s);
+        bool const overdue = stop_policy_.is_overdue();
         if (!comm_.is_root() || comm_.size() == 1 || left_.empty() || (waited_s < most_s && !overdue)
             || seconds_since(looked_for_hung_) < hung_look_s) {
             return;
@@ -210,7 +209,7 @@ class Worker {
             "overturn: a rank has not answered for {:.0f} s (stopped, or its node is down): all ranks end, {} of {} "
             "blocks of this run are on disk. Go on with the same command and --resume\n",
             waited_s, left_.size() - missing, left_.size());
-        comm_.abort(leaves_resumable);
+        comm_.abort(ends_resumable);
     }
 
     // Puts what is computed to disk; stops where that cannot be.
