@@ -27,7 +27,8 @@ struct BlockRows {
 };
 
 /// Blocks of few trials computed together, so that trials on one model fill the vector lanes; each has the bytes that
-/// it has alone. \param keep_running called before every wave; if it returns false, the result is empty
+/// it has alone. \param keep_running called before every wave and every trial on points; if it returns false, the
+/// result is empty
 /// \param known trials that are not computed again, or null
 [[nodiscard]] std::optional<std::vector<BlockRows>> run_blocks(CampaignSpec const& spec, Plan const& plan,
                                                                std::span<std::int64_t const> blocks,

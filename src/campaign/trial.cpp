@@ -278,7 +278,15 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
             }
         }
     }
-    constexpr std::size_t most_at_once = 4096;  // a second's work or less: some waves have tens of thousands of levels
+    // A second's work or less but for trials on points, which take long enough to be asked for one by one: some waves
+    // have tens of thousands of levels.
+    constexpr std::size_t most_at_once = 4096;
+    struct TimeToGo {};
+    auto const leave_in_time = [&] {
+        if (!keep_running()) {
+            throw TimeToGo();
+        }
+    };
     std::vector<Response> responses(std::min(most_at_once, tried.size()));
     std::vector<std::byte> extra(responses.size() * each);
     for (std::size_t first = 0; first < tried.size(); first += most_at_once) {
@@ -286,9 +294,13 @@ bool append_trials(CampaignSpec const& spec, Plan const& plan, std::span<Prepare
             return false;
         }
         auto const count = std::min(most_at_once, tried.size() - first);
-        account(selector.respond(std::span(tried).subspan(first, count), std::span(responses).first(count),
-                                 std::span(extra).first(count * each)),
-                seconds);
+        try {
+            account(selector.respond(std::span(tried).subspan(first, count), std::span(responses).first(count),
+                                     std::span(extra).first(count * each), leave_in_time),
+                    seconds);
+        } catch (TimeToGo const&) {
+            return false;
+        }
         for (std::size_t i = 0; i < count; ++i) {
             auto const& [row, wave] = places[first + i];
             double const rise_m =

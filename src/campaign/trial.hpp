@@ -48,8 +48,8 @@ struct PreparedWave {
                                   std::int64_t level, Observer* observer = nullptr);
 
 /// All trials of prepared waves, side by side, appended in order: each is bit-equal to run_trial's.
-/// \param keep_running called now and then \return false if it returned false: then `trials` is of no use
-/// \param known trials that are not computed again, or null
+/// \param keep_running called now and then, and before every trial on points \return false if it returned false: then
+/// `trials` is of no use \param known trials that are not computed again, or null
 bool append_trials(
     CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, TrialRows& trials,
     PhaseSeconds& seconds, std::function<bool()> const& keep_running = [] { return true; },

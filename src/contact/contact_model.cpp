@@ -113,7 +113,7 @@ class ContactModel : public Model {
             Shown shown(*batch.observer, *trials.front().block);
             outcomes.front() = simulate_contact(*trials.front().block, trials.front().shaking, accuracy_, {}, &shown);
         } else {
-            simulate_contact(trials, accuracy_, outcomes);
+            simulate_contact(trials, accuracy_, outcomes, batch.before_each);
         }
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             batch.outcomes[i] = outcomes[i];

@@ -74,7 +74,7 @@ ContactOutcome simulate_contact(ContactBlock const& block, Excitation const& sha
 }
 
 void simulate_contact(std::span<ContactTrial const> trials, ContactAccuracy const& accuracy,
-                      std::span<ContactOutcome> outcomes) {
+                      std::span<ContactOutcome> outcomes, std::function<void()> const& before_each) {
     OVERTURN_EXPECT(trials.size() == outcomes.size());
     std::map<std::pair<std::size_t, bool>, std::vector<std::size_t>> by_kind;
     for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -82,7 +82,7 @@ void simulate_contact(std::span<ContactTrial const> trials, ContactAccuracy cons
         by_kind[{block.points.size(), block.of_rim}].push_back(i);
     }
     for (auto const& [kind, queue] : by_kind) {
-        simd::RunBatch<contact::ContactRun> batch(trials, queue, accuracy, outcomes);
+        simd::RunBatch<contact::ContactRun> batch(trials, queue, accuracy, outcomes, before_each);
         simd::LaneScheduler(batch).run();
     }
 }

@@ -1,6 +1,7 @@
 /// Planar rocking, sliding and crushing of a body on compliant points: no event but touch, slip and yield of a point.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -81,9 +82,9 @@ struct ContactTrial {
 };
 
 /// Many trials from rest, side by side in the machine's vector lanes: outcomes[i] is bit-equal to that of trials[i]
-/// alone. Trials come in any mixture.
+/// alone. Trials come in any mixture. \param before_each called before every trial; what it throws ends them all
 void simulate_contact(std::span<ContactTrial const> trials, ContactAccuracy const& accuracy,
-                      std::span<ContactOutcome> outcomes);
+                      std::span<ContactOutcome> outcomes, std::function<void()> const& before_each = {});
 
 /// Leaning on its corner, or its rim, at this angle, at rest, as deep as its weight presses it, not yet dragged aside.
 /// \pre |rotation_rad| < alpha

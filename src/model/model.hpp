@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -65,6 +66,8 @@ struct Batch {
     Checkpoints const* before = nullptr;       ///< of the model that ran before
     std::span<std::size_t const> places = {};  ///< of these trials in that model's batch
     Observer* observer = nullptr;              ///< of a batch of one, which is then run from its start
+    /// Called before every trial by models whose trials take long; what it throws ends the batch.
+    std::function<void()> before_each = {};
 };
 
 class Model {

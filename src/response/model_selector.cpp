@@ -141,7 +141,7 @@ void ModelSelector::go_on(std::size_t model, TrialState& state) const {
 
 // All trials that the model gets from one batch of another (or from none), at once.
 void ModelSelector::run(std::size_t model, std::size_t from, std::vector<TrialState>& states,
-                        std::span<std::byte> extra, Ended& ended) const {
+                        std::span<std::byte> extra, std::function<void()> const& before_each, Ended& ended) const {
     auto const& traits = models_[model]->traits();
     bool const chooses = request_.mode == EffectMode::automatic;
     std::vector<std::size_t> which;
@@ -166,8 +166,12 @@ void ModelSelector::run(std::size_t model, std::size_t from, std::vector<TrialSt
     auto const row_bytes = extra.empty() || part == extra_parts_.end() ? 0 : traits.default_row.size();
     std::vector<std::byte> rows(trials.size() * row_bytes);
     auto const* const before = from == none ? nullptr : ended.batches[from].get();
-    ended.batches.push_back(models_[model]->run(
-        {.trials = trials, .outcomes = outcomes, .extra = rows, .before = before, .places = places}));
+    ended.batches.push_back(models_[model]->run({.trials = trials,
+                                                 .outcomes = outcomes,
+                                                 .extra = rows,
+                                                 .before = before,
+                                                 .places = places,
+                                                 .before_each = before_each}));
     for (std::size_t i = 0; i < which.size(); ++i) {
         auto& state = states[which[i]];
         state.outcome = outcomes[i];
@@ -246,7 +250,8 @@ void ModelSelector::put_defaults(std::span<std::byte> extra) const {
 }
 
 std::vector<ModelCost> ModelSelector::respond(std::span<SceneTrial const> trials, std::span<Response> responses,
-                                              std::span<std::byte> extra) const {
+                                              std::span<std::byte> extra,
+                                              std::function<void()> const& before_each) const {
     OVERTURN_EXPECT(responses.size() == trials.size());
     OVERTURN_EXPECT(extra.empty() || extra.size() == trials.size() * extra_bytes_);
     put_defaults(extra);
@@ -259,9 +264,9 @@ std::vector<ModelCost> ModelSelector::respond(std::span<SceneTrial const> trials
     std::vector<double> seconds{watch.lap()};  // of beginning, then of each model
     Ended ended;
     for (std::size_t model = 0; model < models_.size(); ++model) {
-        run(model, none, states, extra, ended);
+        run(model, none, states, extra, before_each, ended);
         for (std::size_t from = 0, before = ended.batches.size(); from < before; ++from) {
-            run(model, from, states, extra, ended);
+            run(model, from, states, extra, before_each, ended);
         }
         seconds.push_back(watch.lap());
     }

@@ -1,6 +1,7 @@
 /// Selection of the effects that a scene needs, and the response of the body: body + motion + effects -> Response.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -64,9 +65,10 @@ class ModelSelector {
 
     /// Many trials from rest, those of a model side by side: responses[i] and its record are those of trials[i] alone,
     /// bit for bit. \param extra records of extra_bytes() each, or empty \return what every model took, in the order of
-    /// model_categories()
+    /// model_categories() \param before_each called before every trial that takes long; what it throws ends them all
     [[nodiscard]] std::vector<ModelCost> respond(std::span<SceneTrial const> trials, std::span<Response> responses,
-                                                 std::span<std::byte> extra = {}) const;
+                                                 std::span<std::byte> extra = {},
+                                                 std::function<void()> const& before_each = {}) const;
     [[nodiscard]] Response respond(SceneTrial const& trial, std::span<std::byte> extra = {}) const;
 
     /// Shows the history of a trial on the model that gave `response`; of one that no model ran, its channels alone.
@@ -93,7 +95,7 @@ class ModelSelector {
     [[nodiscard]] EffectMask supported_with(EffectMask simulated, EffectMask more) const;
     struct Ended;
     void run(std::size_t model, std::size_t from, std::vector<TrialState>& states, std::span<std::byte> extra,
-             Ended& ended) const;
+             std::function<void()> const& before_each, Ended& ended) const;
     void go_on(std::size_t model, TrialState& state) const;
     [[nodiscard]] EffectMask left_out(TrialState const& state) const;
     [[nodiscard]] std::int64_t reason_of(TrialState const& state) const;

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -25,15 +26,19 @@ template <class Run> class RunBatch {
         std::size_t number;
     };
 
-    /// \param queue the numbers of the trials to run, all of such lanes as may stand side by side
+    /// \param queue the numbers of the trials to run, all of such lanes as may stand side by side \param before_each
+    /// called before every trial, if there is such a thing; what it throws ends the batch
     RunBatch(std::span<Trial const> trials, std::span<std::size_t const> queue, Accuracy const& accuracy,
-             std::span<Outcome> outcomes)
-        : trials_(trials), queue_(queue), accuracy_(accuracy), outcomes_(outcomes) {}
+             std::span<Outcome> outcomes, std::function<void()> const& before_each)
+        : trials_(trials), queue_(queue), accuracy_(accuracy), outcomes_(outcomes), before_each_(before_each) {}
 
     [[nodiscard]] int width() const { return Run::width(); }
     bool start_next(std::optional<Trajectory>& place) {
         if (next_ == queue_.size()) {
             return false;
+        }
+        if (before_each_) {
+            before_each_();
         }
         auto const number = queue_[next_++];
         place.emplace(trials_[number], accuracy_, number);
@@ -54,6 +59,7 @@ template <class Run> class RunBatch {
     std::span<std::size_t const> queue_;
     Accuracy accuracy_;
     std::span<Outcome> outcomes_;
+    std::function<void()> const& before_each_;
     std::size_t next_ = 0;
 };
 

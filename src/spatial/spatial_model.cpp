@@ -156,7 +156,7 @@ class SpatialModel : public Model {
             Shown shown(*batch.observer, *trials.front().block);
             outcomes.front() = simulate_spatial(*trials.front().block, trials.front().shaking, accuracy_, {}, &shown);
         } else {
-            simulate_spatial(trials, accuracy_, outcomes);
+            simulate_spatial(trials, accuracy_, outcomes, batch.before_each);
         }
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             batch.outcomes[i] = outcomes[i];

@@ -86,14 +86,14 @@ SpatialOutcome simulate_spatial(SpatialBlock const& block, Excitation const& sha
 }
 
 void simulate_spatial(std::span<SpatialTrial const> trials, ContactAccuracy const& accuracy,
-                      std::span<SpatialOutcome> outcomes) {
+                      std::span<SpatialOutcome> outcomes, std::function<void()> const& before_each) {
     OVERTURN_EXPECT(trials.size() == outcomes.size());
     std::map<spatial::BaseKind, std::vector<std::size_t>> by_kind;
     for (std::size_t i = 0; i < trials.size(); ++i) {
         by_kind[spatial::kind_of(*trials[i].block)].push_back(i);
     }
     for (auto const& [kind, queue] : by_kind) {
-        simd::RunBatch<spatial::SpatialRun> batch(trials, queue, accuracy, outcomes);
+        simd::RunBatch<spatial::SpatialRun> batch(trials, queue, accuracy, outcomes, before_each);
         // Too large for the stack.
         auto const scheduler = std::make_unique<simd::LaneScheduler<simd::RunBatch<spatial::SpatialRun>>>(batch);
         scheduler->run();

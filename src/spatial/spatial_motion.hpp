@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <optional>
 #include <span>
 
@@ -102,8 +103,8 @@ struct SpatialTrial {
 };
 
 /// Many trials from rest, side by side in the machine's vector lanes: outcomes[i] is bit-equal to that of trials[i]
-/// alone. Trials come in any mixture.
+/// alone. Trials come in any mixture. \param before_each called before every trial; what it throws ends them all
 void simulate_spatial(std::span<SpatialTrial const> trials, ContactAccuracy const& accuracy,
-                      std::span<SpatialOutcome> outcomes);
+                      std::span<SpatialOutcome> outcomes, std::function<void()> const& before_each = {});
 
 }  // namespace overturn

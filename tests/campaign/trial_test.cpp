@@ -291,6 +291,28 @@ TEST(BlockRows, OfSeveralBlocksAreThoseOfEachAlone) {
     EXPECT_FALSE(run_blocks(spec, plan, some, seconds, [] { return false; }));
 }
 
+// R-1102: a block is left before any of its trials on points, in the plane and in space; what takes no time is not
+// asked for.
+TEST(BlockRows, AreLeftBeforeEveryTrialOnPoints) {
+    for (auto const* const effect : {"contact", "spatial"}) {
+        auto const spec = campaign_from(with_count(small_campaign, 1) + "[effects]\ninclude=['" + effect + "']\n");
+        Plan const plan(spec);
+        PhaseSeconds seconds;
+        std::int64_t const block = 0;
+        auto const run = [&](std::int64_t most) {
+            std::int64_t asked = 0;
+            auto const rows = run_blocks(spec, plan, std::span(&block, 1), seconds, [&] { return ++asked <= most; });
+            EXPECT_EQ(rows.has_value(), asked <= most);
+            return asked;
+        };
+        std::int64_t const all = 1 + plan.trials_per_wave();  // the wave, and its trials
+
+        EXPECT_EQ(run(1000), all) << effect;
+        EXPECT_EQ(run(all - 1), all) << effect;
+        EXPECT_EQ(run(2), 3) << effect;
+    }
+}
+
 // A pad of 10 Hz settles by 2.5 mm: a base of which nothing leaves it leans by up to twice that.
 TEST(Movement, WhatAPadGivesWayIsNoRocking) {
     RigidBody const body({.mass_kg = 138e3, .half_width_m = 1.7, .centre_height_m = 2.9, .inertia_kgm2 = 5e5});

@@ -50,6 +50,23 @@ TEST_F(Leaving, WithinASecondOfSigterm) {
     EXPECT_EQ(blocks_done(folder, "c.h5"), 0);
 }
 
+// R-1102: the same where one wave's trials take longer than that: they run on points.
+TEST_F(Leaving, WithinASecondOfSigtermOnPoints) {
+    auto campaign = campaign_on_points(1);
+    std::string const levels = "values=['300 gal','600 gal','1200 gal']";
+    campaign.replace(campaign.find(levels), levels.size(), "values={from='600 gal', to='1200 gal', count=1000}");
+    folder.write("c.toml", campaign);
+    Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
+    ASSERT_TRUE(comes_true([&] { return folder.has("c.h5.parts/campaign.record"); }));
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    auto const begin = Clock::now();
+    running.signal(SIGTERM);
+
+    expect_reported(running.wait(), "overturn run c.toml -o c.h5 --resume");
+    EXPECT_LT(seconds_since(begin), 3) << "a second, and two for a busy machine";
+    EXPECT_EQ(blocks_done(folder, "c.h5"), 0);
+}
+
 // R-1102: a launcher that delivers one request twice is no second request; a real second one leaves at once, and
 // nothing is damaged.
 TEST_F(Leaving, AtOnceOnASecondSignal) {
