@@ -5,15 +5,30 @@
 
 #include <fmt/format.h>
 
+#include "results/curves.hpp"
 #include "results/statistics.hpp"
 #include "runner/progress.hpp"
 
 namespace overturn::cli {
 namespace {
 
-// tests/scale/README.md: rows read, counted, written and hashed; curves of the trials that are held for them.
+// tests/scale/README.md: rows read, counted, written and hashed; of trials held for curves what rank 0 does, and the
+// fits. Each curve takes some time of its own, which grows with its trials up to so many.
 constexpr double merged_trial_s = 2.4e-6;
-constexpr double held_trial_s = 3.5e-6;
+constexpr double held_trial_s = 1.1e-6;
+constexpr double fitted_trial_s = 2.0e-6;
+constexpr double curve_s = 0.04;
+constexpr double curve_trials = 2048;
+
+// Ranks take whole curves.
+double curves_s(CampaignSpec const& spec, double held, std::int64_t ranks) {
+    auto const curves = count_curves(spec);
+    auto const rounds = (curves + ranks - 1) / ranks;
+    double const of_body = held / static_cast<double>(spec.bodies.size());
+    double const each =
+        fitted_trial_s * held / static_cast<double>(curves) + curve_s * std::min(1.0, of_body / curve_trials);
+    return static_cast<double>(rounds) * each;
+}
 
 std::string short_time(double seconds) {
     return seconds < 0.1 ? fmt::format("{:.2g} ms", 1e3 * seconds) : duration_text(seconds);
@@ -34,8 +49,9 @@ RankEstimate estimate_ranks(CampaignSpec const& spec, Plan const& plan, double w
     estimate.work_s = static_cast<double>(rounds) * estimate.block_s;
     auto const trials = static_cast<double>(plan.trials());
     bool const shared = Statistics::add_up(spec) && !spec.rare;
-    estimate.merge_s = merged_trial_s * trials / (shared ? static_cast<double>(ranks) : 1)
-                       + held_trial_s * std::min(trials, static_cast<double>(most_trials_held));
+    double const held = std::min(trials, static_cast<double>(most_trials_held));
+    estimate.merge_s = merged_trial_s * trials / (shared ? static_cast<double>(ranks) : 1) + held_trial_s * held
+                       + curves_s(spec, held, ranks);
     return estimate;
 }
 

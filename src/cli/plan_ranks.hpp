@@ -16,7 +16,7 @@ struct RankEstimate {
     double block_s = 0;  ///< of one rank
     double start_s = 0;  ///< before the first block, on all ranks at once
     double work_s = 0;   ///< until the last block is done
-    double merge_s = 0;  ///< all ranks, then one alone for curves and tables; it alone where counts do not add up
+    double merge_s = 0;  ///< rows, by rank 0 alone where counts do not add up; curves, by all ranks; tables, by rank 0
 
     [[nodiscard]] double wall_s() const { return start_s + work_s + merge_s; }
     /// Share of all ranks' time in which they compute.

@@ -72,8 +72,8 @@ std::string memory_lines(CampaignSpec const& spec, Plan const& plan) {
     double const bytes = memory_of_trials(spec, plan.trials());
     auto const memory = bytes < much ? std::string()
                                      : fmt::format(
-                                         "memory    about {:.2g} GB on the rank that writes, and as much again "
-                                         "while curves are fitted\n",
+                                         "memory    about {:.2g} GB on each rank that fits curves, and as much again "
+                                         "meanwhile\n",
                                          bytes / 1e9);
     return memory + thinned_line(plan);
 }

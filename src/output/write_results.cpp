@@ -130,15 +130,15 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
                                         CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
                                         std::function<std::vector<std::byte>(std::int64_t)> const& block,
                                         Statistics& statistics, std::span<RareBody const> rare, store::Layout layout,
-                                        WritingHelp const* help) {
+                                        WritingHelp const& help) {
     store::ResultsWriter file(path, layout);
     write_campaign(file, input, spec);
     RowTables const tables(spec, [&](store::TableSpec table, bool trials) {
         return file.table(std::move(table), trials ? chosen.trials() : chosen.waves());
     });
     std::vector<WaveRow> refused;
-    if (help != nullptr) {
-        write_together(file, drawn, chosen, block, statistics, *help);
+    if (help.rows) {
+        write_together(file, drawn, chosen, block, statistics, help);
     } else {
         for (auto const b : blocks_of_chosen(drawn, chosen)) {
             auto all = BlockRows::unpack(block(b), drawn, drawn.waves_of_block(b).count);
@@ -160,7 +160,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
         file.attribute("waves_planned", drawn.count());
         file.attribute("precise_enough", std::int64_t{chosen.chosen_per_group() < drawn.count() ? 1 : 0});
     }
-    auto analysis = analyse(spec, statistics, {.confidence = spec.confidence});
+    auto analysis = analyse(spec, statistics, {.confidence = spec.confidence}, help.curves);
     for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
         output::write_table(file, output::body_table(spec, b));
     }
@@ -169,7 +169,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
     write_rare_record(file, spec, rare);
     number_bodies(file, spec);
     file.attribute("complete", std::int64_t{1});
-    file.finish(help != nullptr ? help->hash : store::hash_stretches);
+    file.finish(help.hash ? help.hash : store::hash_stretches);
     return analysis;
 }
 

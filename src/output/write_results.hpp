@@ -23,11 +23,13 @@ namespace overturn {
 void write_provenance(store::ResultsWriter& file, std::string const& format, std::int64_t version,
                       CampaignInput const& input, std::string const& title);
 
-/// Other processes that write results beside this one.
+/// Other processes that make results beside this one: what is empty this process does alone.
 struct WritingHelp {
-    /// Writes the rows of all waves of a plan into their places. \return their Statistics::counts()
-    std::function<std::vector<std::int64_t>(store::RowPlaces const& places, Plan const& plan)> rows;
-    store::HashStretches hash;
+    /// Writes the rows of all waves of a plan into their places, in a plain file of waves whose counts add up
+    /// (Statistics::add_up). \return their Statistics::counts()
+    std::function<std::vector<std::int64_t>(store::RowPlaces const& places, Plan const& plan)> rows = {};
+    store::HashStretches hash = {};
+    FitCurves curves = {};
 };
 
 /// One process's part of WritingHelp::rows: writes the rows of blocks of `drawn`, of which all waves count, into their
@@ -38,12 +40,11 @@ std::vector<std::int64_t> write_rows_in_place(CampaignSpec const& spec, Plan con
 
 /// Writes the finished file from the blocks of `drawn`, given in order by `block`: of their waves those that are
 /// `chosen`, and beside them those that a rule refused on the way. \return what the trials say, as stored
-/// \param rare one per body, or none \param help where several processes write a plain file of waves whose counts add
-/// up (Statistics::add_up); the file is the same, byte by byte
+/// \param rare one per body, or none \param help the file is the same without it, byte by byte
 std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, CampaignInput const& input,
                                         CampaignSpec const& spec, Plan const& drawn, Plan const& chosen,
                                         std::function<std::vector<std::byte>(std::int64_t)> const& block,
                                         Statistics& statistics, std::span<RareBody const> rare = {},
-                                        store::Layout layout = store::Layout::plain, WritingHelp const* help = nullptr);
+                                        store::Layout layout = store::Layout::plain, WritingHelp const& help = {});
 
 }  // namespace overturn

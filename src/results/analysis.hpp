@@ -3,39 +3,18 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "campaign/campaign_spec.hpp"
+#include "results/curves.hpp"
 #include "results/grid_map.hpp"
 #include "results/measured_trials.hpp"
 #include "results/statistics.hpp"
-#include "stats/beta_split.hpp"
-#include "stats/fragility.hpp"
-#include "stats/intensity_unit.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn {
-
-/// A fit with what it is of.
-struct MeasuredFragility {
-    std::string limit = overturning_limit;  ///< name of the limit state
-    Measure measure = measure_named("pga");
-    std::string name;        ///< of the measure
-    std::string label;       ///< the same, for people
-    std::string title;       ///< the same, on axes of figures
-    std::string units;       ///< of the measure, SI
-    IntensityUnit shown_in;  ///< unit in print: the levels' where that measures the same
-    std::string quote_base;  ///< base of quoted multiples: "design-basis", "v_ereq"; empty without quotes
-    bool of_levels = true;   ///< over the levels' own measure: over others it depends on which levels were run
-    FragilityFit fit;
-    std::optional<BetaSplit> split;                               ///< where the bodies were drawn
-    std::vector<std::string> drawn;                               ///< the quantities its scores are of
-    double rank_area = std::numeric_limits<double>::quiet_NaN();  ///< NaN where all trials ended the same way
-    Interval rank_interval{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
-};
 
 /// One criterion of one body, measure < V_Ereq.
 struct MeasuredCriterion {
@@ -116,18 +95,9 @@ struct BodyAnalysis {
     [[nodiscard]] MeasuredFragility const& over_levels() const { return fragility.front(); }
 };
 
-/// Multiples of the design-basis level at which P is quoted.
-inline constexpr std::array quoted_multiples{1.0, 1.5, 2.0, 3.0};
-
-struct AnalysisOptions {
-    double confidence = 0.95;
-    std::optional<double> beta_u = {};  ///< beside what the bodies' scatter says; none: the campaign's
-    int replicates = 1000;
-    int band_points = 0;  ///< of the curve over the levels' own measure
-};
-
+/// \param fit who fits the curves; empty: this process alone
 [[nodiscard]] std::vector<BodyAnalysis> analyse(CampaignSpec const& spec, Statistics const& statistics,
-                                                AnalysisOptions const& options);
+                                                AnalysisOptions const& options, FitCurves const& fit = {});
 
 /// Prints measures that are velocities in this unit; none: leaves them in the levels' own, or m/s.
 void tell_velocities(std::vector<BodyAnalysis>& bodies, std::optional<IntensityUnit> const& unit);

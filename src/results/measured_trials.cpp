@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/bytes.hpp"
 #include "core/error.hpp"
 #include "response/registry.hpp"
 
@@ -63,6 +64,54 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
     trials_.push_back(trial);
     for (auto const* const measure : others_) {
         values_.push_back(of_trial(measure, row));
+    }
+}
+
+// Trials of a wave lie together.
+void MeasuredTrials::give(std::function<bool(std::int64_t)> const& wants,
+                          std::function<void(std::string)> const& piece) const {
+    constexpr std::size_t enough = 1 << 22;
+    BytesOut out;
+    for (std::size_t first = 0; first < trials_.size();) {
+        if (out.size() == 0) {
+            out(passed_by_);
+        }
+        auto const& wave = *trials_[first].of_wave;
+        std::vector<Measured> trials;
+        std::vector<double> others;
+        auto last = first;
+        for (; last < trials_.size() && trials_[last].of_wave == &wave; ++last) {
+            if (wants(trials_[last].body)) {
+                trials.push_back(trials_[last]);
+                auto const begin = values_.begin() + static_cast<std::int64_t>(last * others_.size());
+                others.insert(others.end(), begin, begin + std::ssize(others_));
+            }
+        }
+        if (!trials.empty()) {
+            out(wave.first, wave.second, trials, others);
+        }
+        first = last;
+        if (out.size() >= enough || first == trials_.size()) {
+            piece(out.take());
+        }
+    }
+}
+
+void MeasuredTrials::take(std::string_view piece) {
+    BytesIn in(piece);
+    in(passed_by_);
+    while (!in.at_end()) {
+        std::int64_t id = 0;
+        std::vector<double> linear;
+        std::vector<Measured> trials;
+        std::vector<double> others;
+        in(id, linear, trials, others);
+        auto const& wave = *waves_.insert_or_assign(id, std::move(linear)).first;
+        for (auto& trial : trials) {
+            trial.of_wave = &wave;
+            trials_.push_back(trial);
+        }
+        values_.insert(values_.end(), others.begin(), others.end());
     }
 }
 

@@ -4,9 +4,11 @@
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "campaign/intensity_measure.hpp"
@@ -36,7 +38,8 @@ struct TrialOutcome {
 inline constexpr std::size_t most_trials_held = 2'000'000;
 
 /// Holds the first trials, whole waves of them, until there are two million: a campaign of any size is merged in
-/// bounded memory and time. Each takes 80 bytes and 8 bytes for every measure that does not scale with its wave.
+/// bounded memory and time, on each rank that fits curves of them. Each takes 80 bytes and 8 bytes for every measure
+/// that does not scale with its wave.
 class MeasuredTrials {
   public:
     /// \param measures those it holds, and no others
@@ -53,6 +56,12 @@ class MeasuredTrials {
     void add(WaveRow const& row, std::span<MeasureRow const> measures);
     /// Ignored if the trial's wave was not added before, or no more are held.
     void add(TrialRow const& row, LimitOutcomes const& limits);
+
+    /// What is held of the bodies that are wanted, as pieces of some megabytes for `take` of another process of this
+    /// program.
+    void give(std::function<bool(std::int64_t)> const& wants, std::function<void(std::string)> const& piece) const;
+    /// Holds the next piece of the same campaign.
+    void take(std::string_view piece);
 
     /// The decided trials of a body with a measure above 0. \param limit place of the limit state; 0: overturning
     [[nodiscard]] std::vector<SingleTrial> singles(std::int64_t body, Measure measure, std::size_t limit = 0) const;

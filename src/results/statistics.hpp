@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "campaign/block_rows.hpp"
@@ -79,10 +81,13 @@ class Statistics {
     /// Can counts be added up that were made of parts of the rows? Not where more than counts is taken from waves, one
     /// by one in their order: of drawn targets, of a rule for waves, of a grid.
     [[nodiscard]] static bool add_up(CampaignSpec const& spec);
-    /// All counts, in an order that the campaign decides. \pre add_up
+    /// All counts, in an order that the campaign decides. Curves need these and the held trials, and nothing that does
+    /// not add up.
     [[nodiscard]] std::vector<std::int64_t> counts() const;
     /// Adds counts() of another part of the rows.
     void add_counts(std::span<std::int64_t const> counts);
+    /// Holds trials that another process gave (MeasuredTrials::take), and counts none.
+    void take_trials(std::string_view piece) { measured_.take(piece); }
     [[nodiscard]] std::vector<BodyStatistics> const& bodies() const { return bodies_; }
     [[nodiscard]] WaveCounts const& waves() const { return waves_; }
     /// Clauses missed by refused waves, or by used ones that miss the rule.

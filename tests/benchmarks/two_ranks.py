@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
 """How many times faster two ranks are than one: every campaign, in one run.
 
-    two_ranks.py PROGRAM [--mpirun MPIRUN] [--campaigns DIR] [--seconds 8] [--repetitions 3] [--only WORD]
+    two_ranks.py PROGRAM... [--mpirun MPIRUN] [--campaigns DIR] [--seconds 8] [--repetitions 3] [--only WORD] [--cpu]
 
 Campaigns whose waves can be counted take so many waves that one rank needs about --seconds by its plan, and never fewer than eight. A run on
-one rank and one on two follow each other --repetitions times. Printed are medians of wall time, their ratio, and the ratio of the work
+one rank and one on two follow each other --repetitions times, of several programs in turn with the same waves. Printed are medians of wall time, their ratio, and the ratio of the work
 alone: start, reading and what one rank does at the end are taken from both by a run of two waves. The machine must have two free cores:
-nothing here can tell a slow program from a busy neighbour."""
+nothing here can tell a slow program from a busy neighbour. With --cpu the times are the CPU time of the rank that has most of it: ranks that
+wait sleep, so this is what free cores would take, without what waits for a disk."""
 
 import argparse
 import json
@@ -30,6 +31,18 @@ def seconds_of(command, folder):
     return time.perf_counter() - began, done.stdout
 
 
+def cpu_seconds_of(command, folder):
+    """Of the busiest rank: each leaves its own in a file of the folder."""
+    at = command.index("-n") + 2
+    keep = 'here=$(mktemp ./cpu.XXXXXX); "$@"; code=$?; times > $here; exit $code'
+    seconds_of([*command[:at], "bash", "-c", keep, "rank", *command[at:]], folder)
+    of_ranks = []
+    for place in pathlib.Path(folder).glob("cpu.*"):
+        of_children = place.read_text().splitlines()[1]
+        of_ranks.append(sum(60 * int(minutes) + float(rest) for minutes, rest in re.findall(r"(\d+)m([\d.]+)s", of_children)))
+    return max(of_ranks)
+
+
 def waves_for(program, campaign, seconds):
     """As many waves as one rank computes in so many seconds; none where the campaign's waves are not counted."""
     if not re.search(r"^count\b", campaign.read_text(), re.MULTILINE):
@@ -41,31 +54,33 @@ def waves_for(program, campaign, seconds):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("program", type=lambda text: pathlib.Path(text).resolve())
+    parser.add_argument("programs", metavar="PROGRAM", nargs="+", type=lambda text: pathlib.Path(text).resolve())
     parser.add_argument("--mpirun", default="mpirun")
     parser.add_argument("--campaigns", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2] / "campaigns")
     parser.add_argument("--seconds", type=float, default=8)
     parser.add_argument("--repetitions", type=int, default=3)
     parser.add_argument("--only", default="")
+    parser.add_argument("--cpu", action="store_true")
     options = parser.parse_args()
     print("| campaign | waves | one rank | two ranks | times faster | its work alone |\n|---|---|---|---|---|---|", flush=True)
     for campaign in sorted(options.campaigns.resolve().glob("*.toml")):
         if options.only not in campaign.stem:
             continue
-        waves = waves_for(options.program, campaign, options.seconds)
+        waves = waves_for(options.programs[0], campaign, options.seconds)
         if waves is None:
             continue
-        taken = {(count, ranks): [] for count in (FEW, waves) for ranks in (1, 2)}
+        taken = {(program, count, ranks): [] for count in (FEW, waves) for ranks in (1, 2) for program in options.programs}
         for _ in range(options.repetitions):
-            for count, ranks in taken:
+            for program, count, ranks in taken:
                 with tempfile.TemporaryDirectory() as folder:
-                    command = [options.mpirun, "-n", str(ranks), options.program, "run", campaign, "--set", f"waves.count={count}",
+                    command = [options.mpirun, "-n", str(ranks), program, "run", campaign, "--set", f"waves.count={count}",
                                "-o", "r.h5"]
-                    taken[count, ranks].append(seconds_of(command, folder)[0])
+                    taken[program, count, ranks].append(cpu_seconds_of(command, folder) if options.cpu else seconds_of(command, folder)[0])
         middle = {run: statistics.median(times) for run, times in taken.items()}
-        alone = [middle[waves, ranks] - middle[FEW, ranks] for ranks in (1, 2)]
-        print(f"| {campaign.stem} | {waves} | {middle[waves, 1]:.2f} s | {middle[waves, 2]:.2f} s | {middle[waves, 1] / middle[waves, 2]:.2f} | "
-              f"{alone[0] / alone[1]:.2f} |", flush=True)
+        for program in options.programs:
+            one, two = (middle[program, waves, ranks] for ranks in (1, 2))
+            alone = [middle[program, waves, ranks] - middle[program, FEW, ranks] for ranks in (1, 2)]
+            print(f"| {campaign.stem} | {waves} | {one:.2f} s | {two:.2f} s | {one / two:.2f} | {alone[0] / alone[1]:.2f} |", flush=True)
 
 
 if __name__ == "__main__":

@@ -42,6 +42,36 @@ TEST_F(Run, RanksDoNotMatter) {
     EXPECT_TRUE(folder.has("shared3.runtime.json"));
 }
 
+// R-1001: nor on who fits which curve, where rank 0 alone puts the rows together too: of a packed file, and of waves
+// whose targets are drawn.
+TEST_F(Run, RanksShareTheCurves) {
+    std::string const levels = "levels.values=['300 gal','600 gal','900 gal','1200 gal','1600 gal']";
+    auto drawn = small_campaign("shared", 40);
+    drawn.insert(drawn.find("[waves.vertical]"), "[waves.variability]\ncorrelation='baker-jayaram-2008'\nsigma=0.4\n");
+    folder.write("plain.toml", small_campaign("shared", 40));
+    folder.write("drawn.toml", drawn);
+    auto const expect_same_on = [&](std::string const& campaign, std::vector<int> const& ranks, bool packed) {
+        auto const run = [&](std::string const& output) {
+            std::vector<std::string> const args{"run", campaign + ".toml", "--set", levels, "-o", output};
+            return packed ? joined(args, {"--packed"}) : args;
+        };
+        auto const name = campaign + (packed ? "-packed" : "");
+        auto const alone = bytes(joined({OVERTURN_PROGRAM}, run(name + ".h5")), name + ".h5");
+        for (int const of : ranks) {
+            auto const output = name + std::to_string(of) + ".h5";
+            expect_same(alone, bytes(mpirun(of, run(output)), output), output.c_str());
+        }
+        auto const fit = overturn(folder, {"fit", name + ".h5"}).out;
+        EXPECT_NE(fit.find("median"), std::string::npos) << "there are curves: " << fit;
+    };
+    expect_same_on("plain", {1, 2, 3}, false);
+    expect_same_on("plain", {2}, true);
+    expect_same_on("drawn", {3}, false);
+    auto const other =
+        bytes({OVERTURN_PROGRAM, "run", "plain.toml", "--set", levels, "seed=2014", "-o", "o.h5"}, "o.h5");
+    EXPECT_FALSE(other == folder.read("plain.h5"));
+}
+
 // R-1001: a packed file of 16 800 trials is a fifth of the size, the same bytes on any ranks and merged, and every verb
 // reads it as the plain one.
 TEST_F(Run, PackedIsSmallerAndTheSame) {

@@ -199,6 +199,12 @@ TEST_F(Scripts, PlanIsJson) {
     double const rounds = std::ceil(plan["blocks"].get<double>() / 16);
     EXPECT_NEAR(sixteen["work_s"], rounds * block_s, 1e-9 * rounds * block_s);
     EXPECT_NEAR(sixteen["busy"], plan["blocks"].get<double>() * block_s / (16 * sixteen["wall_s"].get<double>()), 1e-9);
+    // 50 curves of some 30 ms each are what merging 7500 trials takes: four each on 16 ranks.
+    auto const& alone = plan["ranks"].front();
+    EXPECT_EQ(alone["ranks"], 1);
+    double const times_faster = alone["merge_s"].get<double>() / sixteen["merge_s"].get<double>();
+    EXPECT_GT(times_faster, 11);
+    EXPECT_LT(times_faster, 12.5);
     auto const text = planned(folder, {"c.toml", "--ranks", "1000", "--full"}).out;
     EXPECT_NE(text.find(" on 1000 ranks, which compute "), std::string::npos) << text;
     EXPECT_EQ(overturn(folder, {"plan", "c.toml", "--ranks", "0"}).code, 2);

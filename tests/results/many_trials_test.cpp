@@ -152,6 +152,51 @@ TEST(ManyTrials, AreCountedBeyondThoseThatAreHeld) {
     EXPECT_EQ(kept.bodies()[0].stripes[3].trials, 0) << "kept and not counted";
 }
 
+// What rank 0 gives the ranks that fit beside it: nothing of a body whose curves they do not fit.
+TEST(ManyTrials, AreHandedOnInPieces) {
+    constexpr std::int64_t waves = 6000;
+    ManyRows rows;
+    rows.fill(waves);
+    Statistics of_one(rows.spec());
+    Statistics of_all(rows.spec());
+    int pieces = 0;
+    rows.statistics().measured().give([](std::int64_t body) { return body == 1; },
+                                      [&](std::string const& piece) { of_one.take_trials(piece); });
+    rows.statistics().measured().give([](std::int64_t /*body*/) { return true; },
+                                      [&](std::string const& piece) {
+                                          EXPECT_LT(piece.size(), 5'000'000U);
+                                          ++pieces;
+                                          of_all.take_trials(piece);
+                                      });
+    EXPECT_GT(pieces, 3);
+    auto const values = [](Statistics const& of, std::int64_t body, char const* measure) {
+        std::vector<double> values;
+        for (auto const& trial : of.measured().singles(body, measure_named(measure))) {
+            values.insert(values.end(), {trial.intensity, static_cast<double>(trial.wave),
+                                         static_cast<double>(trial.id), trial.overturned ? 1.0 : 0.0});
+        }
+        return values;
+    };
+    for (auto const* const measure : {"level", "pgv", "v_wes", "v_wes_ratio"}) {  // linear in the wave's scale, and not
+        auto const held = values(rows.statistics(), 1, measure);
+        EXPECT_EQ(held.size(), 4U * 12U * waves);
+        EXPECT_EQ(values(of_one, 1, measure), held) << measure;
+        EXPECT_EQ(values(of_all, 1, measure), held) << measure;
+        EXPECT_TRUE(values(of_one, 0, measure).empty());
+        EXPECT_EQ(values(of_all, 0, measure), values(rows.statistics(), 0, measure));
+    }
+}
+
+TEST(ManyTrials, AreHandedOnWithHowManyWerePassedBy) {
+    ManyRows rows;
+    rows.fill(84'000);
+    Statistics handed_on(rows.spec());
+    rows.statistics().measured().give([](std::int64_t /*body*/) { return false; },
+                                      [&](std::string const& piece) { handed_on.take_trials(piece); });
+    EXPECT_GT(handed_on.measured().passed_by(), 0);
+    EXPECT_EQ(handed_on.measured().passed_by(), rows.statistics().measured().passed_by());
+}
+
 // Of these more than counts is taken from waves, in their order.
 TEST(ManyTrials, DoNotAddUpWhereWavesAreJudgedOrDrawnOneByOne) {
     auto const adds_up = [](std::string const& waves) {

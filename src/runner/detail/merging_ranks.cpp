@@ -34,6 +34,23 @@ std::pair<std::int64_t, std::string> numbered(std::string const& text) {
     return {std::stoll(text.substr(0, blank)), text.substr(blank + 1)};
 }
 
+// Every so many-th curve: those of one body differ less than those of two.
+struct PartOfCurves {
+    std::int64_t part = 0, parts = 0;
+
+    [[nodiscard]] bool holds(std::int64_t number) const { return number % parts == part; }
+};
+
+std::string fits_of(CampaignCurves const& curves, PartOfCurves const& some) {
+    BytesOut fits;
+    for (std::int64_t number = 0; number < curves.count(); ++number) {
+        if (some.holds(number)) {
+            curves.give(number, fits);
+        }
+    }
+    return fits.take();
+}
+
 // "0 17 text"
 std::pair<store::BlockRange, std::string> blocks_of(std::string const& text) {
     auto const [first, rest] = numbered(text);
@@ -101,6 +118,7 @@ MergingRanks::MergingRanks(parallel::Communicator const& comm, CampaignSpec cons
         OVERTURN_ENSURE(hashes.size() == stretches.size());
         return hashes;
     };
+    help_.curves = [this](CampaignCurves const& curves) { return all_fit(curves); };
 }
 
 void MergingRanks::run(std::function<void()> const& lead) {
@@ -129,10 +147,12 @@ void MergingRanks::run(std::function<void()> const& lead) {
     let_go("What is merged is complete", ends_resumable);
 }
 
-WritingHelp const* MergingRanks::help(store::Layout layout) const {
-    bool const together =
-        comm_.size() > 1 && layout == store::Layout::plain && !spec_.rare && Statistics::add_up(spec_);
-    return together ? &help_ : nullptr;
+WritingHelp MergingRanks::help(store::Layout layout) const {
+    if (comm_.size() == 1) {
+        return {};
+    }
+    bool const together = layout == store::Layout::plain && !spec_.rare && Statistics::add_up(spec_);
+    return together ? help_ : WritingHelp{.curves = help_.curves};
 }
 
 void MergingRanks::remove_blocks() {
@@ -267,6 +287,8 @@ std::string MergingRanks::answer(std::string const& task) const {
                 return is_done + rows(text);
             case Task::hash:
                 return is_done + hashes(text);
+            case Task::curves:
+                return is_done + curves(text);
             case Task::remove:
             case Task::leave:
                 break;
@@ -305,6 +327,53 @@ std::string MergingRanks::hashes(std::string const& text) const {
         digests += store::hash_stretches(path, std::span(&stretch, 1)).front();
     }
     return digests;
+}
+
+// Other ranks fit to what rank 0 holds, and get of it the trials of the bodies whose curves they fit.
+std::vector<MeasuredFragility> MergingRanks::all_fit(CampaignCurves const& curves) {
+    all_curves_ = &curves;
+    std::int64_t const parts = std::ssize(ready());
+    auto const answers = all_do(Task::curves, parts, [&](Share share) {
+        PartOfCurves const some{share.first, parts};
+        BytesOut text;
+        text(curves.options(), curves.statistics().counts(), some);
+        std::vector<bool> wanted(spec_.bodies.size());
+        for (std::int64_t number = 0; number < curves.count(); ++number) {
+            wanted[curves.body_of(number)] = wanted[curves.body_of(number)] || some.holds(number);
+        }
+        if (some.part > 0) {  // the first is rank 0's own
+            curves.statistics().measured().give(
+                [&](std::int64_t body) { return wanted[body]; },
+                [&](std::string const& piece) { text(std::vector<char>(piece.begin(), piece.end())); });
+        }
+        return text.take();
+    });
+    all_curves_ = nullptr;
+    std::vector<BytesIn> of_parts(answers.begin(), answers.end());
+    std::vector<MeasuredFragility> all;
+    for (std::int64_t number = 0; number < curves.count(); ++number) {
+        all.push_back(curves.take(number, of_parts[number % parts]));
+    }
+    return all;
+}
+
+std::string MergingRanks::curves(std::string const& text) const {
+    AnalysisOptions options;
+    std::vector<std::int64_t> counts;
+    PartOfCurves some;
+    BytesIn in(text);
+    in(options, counts, some);
+    if (all_curves_ != nullptr) {
+        return fits_of(*all_curves_, some);
+    }
+    Statistics statistics(spec_);
+    statistics.add_counts(counts);
+    while (!in.at_end()) {
+        std::vector<char> piece;
+        in(piece);
+        statistics.take_trials({piece.data(), piece.size()});
+    }
+    return fits_of(CampaignCurves(spec_, statistics, options), some);
 }
 
 }  // namespace overturn

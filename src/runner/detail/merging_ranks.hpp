@@ -37,16 +37,16 @@ class MergingRanks {
     /// is printed.
     void run(std::function<void()> const& lead);
 
-    /// For rank 0, within run(): what writes a file with the other ranks. Null where rank 0 is alone, the file is
-    /// packed, or counts of parts do not add up.
-    [[nodiscard]] WritingHelp const* help(store::Layout layout) const;
+    /// For rank 0, within run(): what the other ranks help with. Nothing where rank 0 is alone; curves only where the
+    /// file is packed, or counts of parts do not add up.
+    [[nodiscard]] WritingHelp help(store::Layout layout) const;
     /// For rank 0, within run(): removes the blocks, and then all that lay beside them.
     void remove_blocks();
     /// The rows of a block. \throws Interrupted
     [[nodiscard]] std::vector<std::byte> read(std::int64_t block) const;
 
   private:
-    enum class Task : char { rows = 'r', hash = 'h', remove = 'x', leave = 'l' };
+    enum class Task : char { rows = 'r', hash = 'h', curves = 'c', remove = 'x', leave = 'l' };
     struct Share {
         std::int64_t first = 0, last = 0;
     };
@@ -61,12 +61,14 @@ class MergingRanks {
     void take_answers(Shares& shares);
     void hand_out_again(Shares& shares);
     void let_go(std::string const& outcome, int code_without_all);
+    [[nodiscard]] std::vector<MeasuredFragility> all_fit(CampaignCurves const& curves);
 
     // Of every rank.
     void serve() const;
     [[nodiscard]] std::string answer(std::string const& task) const;
     [[nodiscard]] std::string rows(std::string const& text) const;
     [[nodiscard]] std::string hashes(std::string const& text) const;
+    [[nodiscard]] std::string curves(std::string const& text) const;
 
     parallel::Communicator const& comm_;
     CampaignSpec const& spec_;
@@ -77,7 +79,8 @@ class MergingRanks {
     parallel::Letters letters_;
     std::map<int, std::int64_t> asked_;  ///< ranks that have not answered yet, and the number of what they were asked
     std::int64_t numbers_ = 0;
-    double longest_s_ = 0;  ///< that a share took
+    double longest_s_ = 0;                        ///< that a share took
+    CampaignCurves const* all_curves_ = nullptr;  ///< of rank 0, which holds what they are fitted to
 };
 
 }  // namespace overturn
