@@ -15,6 +15,7 @@
 #include "generators/detail/recorded_waves.hpp"
 #include "generators/detail/sa_change.hpp"
 #include "generators/record_baseline.hpp"
+#include "motion/component_pairs.hpp"
 #include "motion/intensity.hpp"
 #include "motion/resample.hpp"
 #include "motion/station.hpp"
@@ -261,6 +262,25 @@ Record read_table(config::Table const& table, StationFiles& files, InputFiles co
     return record;
 }
 
+// Where neither the campaign nor the files say of which recording they are, their names do.
+void tell_apart(std::vector<Record>& records, std::span<std::string const> paths) {
+    std::vector<std::string> names;
+    std::vector<std::size_t> places;
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        if (records[i].recording.empty()) {
+            records[i].recording = std::filesystem::path(paths[i]).lexically_normal().generic_string();
+            names.push_back(records[i].recording);
+            places.push_back(i);
+        }
+    }
+    for (auto const& [first, second] : component_pairs(names)) {
+        for (auto const place : places) {
+            auto& recording = records[place].recording;
+            recording = recording == names[second] ? names[first] : recording;
+        }
+    }
+}
+
 }  // namespace
 
 std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles& files) {
@@ -268,6 +288,7 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
         waves.fail({}, "no single list of records (state either files or records)");
     }
     std::vector<Record> records;
+    std::vector<std::string> paths;
     StationFiles station_files(files);
     auto const folder = read_folder(waves, files);
     if (waves.has("files")) {
@@ -276,6 +297,7 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
             records.push_back(read_file(waves, request, in_folder(folder, name), station_files, files));
             records.back().name = name;
             records.back().recording = station_files.recording_of(in_folder(folder, name));
+            paths.push_back(in_folder(folder, name));
         }
     } else {
         for (auto const& key : reading_keys.all) {
@@ -286,7 +308,8 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
         for (auto const& table : waves.children(record_files_keys["records"])) {
             records.push_back(read_table(table, station_files, files, folder));
             records.back().name = table.has("horizontal") ? table.text(record_keys["horizontal"]) : std::string();
-            records.back().recording = station_files.recording_of(in_folder(folder, records.back().name));
+            paths.push_back(in_folder(folder, records.back().name));
+            records.back().recording = station_files.recording_of(paths.back());
         }
     }
     if (records.empty()) {
@@ -301,6 +324,7 @@ std::unique_ptr<WaveSource> make_records(config::Table const& waves, InputFiles&
                 same->first + 1, same->second + 1,
                 std::abs(same->factor - 1) < same_motion_share ? "" : fmt::format(" times {:.4g}", same->factor)));
     }
+    tell_apart(records, paths);
     return recorded_waves(std::move(records));
 }
 

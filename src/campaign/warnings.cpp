@@ -175,13 +175,14 @@ std::string warning_of_shared_recordings(WaveSource const& source) {
         ++second;
     }
     auto const first = std::ranges::find(shared.of, shared(second)) - shared.of.begin();
+    auto const name = [&](std::int64_t wave) { return source.about().measured[static_cast<std::size_t>(wave)].name; };
     return fmt::format(
-        "Records {} and {} ('{}', '{}') are components of one recording: the {} rows are {} recordings. Up to {} rows "
-        "of "
-        "one are resampled together and count as one in intervals of proportions; this is conservative. Keep one row "
-        "of each, with its other component as transverse where the body moves in space",
-        first + 1, second + 1, source.about().measured[first].name, source.about().measured[second].name, waves,
-        shared.among(waves), shared.most);
+        "{} are components of one recording: {} rows, {} recordings. They are resampled together, and {:.3g} "
+        "rows count as one in intervals. Keep one row of each. Are they of different recordings, "
+        "rename one",
+        name(first) == name(second) ? fmt::format("Two rows of '{}'", name(first))
+                                    : fmt::format("'{}' and '{}'", name(first), name(second)),
+        waves, shared.among(waves), shared.effect());
 }
 
 }  // namespace

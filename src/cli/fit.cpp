@@ -20,6 +20,7 @@
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "core/print_note.hpp"
+#include "core/wrapped.hpp"
 #include "output/campaign_tables.hpp"
 #include "output/curve_tables.hpp"
 #include "output/fit_json.hpp"
@@ -187,7 +188,7 @@ void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics c
 void print_fitted(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics, bool withheld,
                   std::string const& file, output::TextOptions const& text) {
     auto const shared = warning_of_shared_draws(spec);
-    std::string notes = shared.empty() ? std::string() : "note: " + shared + "\n";
+    std::string notes = shared.empty() ? std::string() : wrapped("note: " + shared, 4);
     if (all.by_hand.empty() && withheld) {
         notes += "note: no hand calculation without the records (inputs = \"hash-only\")\n";
     }

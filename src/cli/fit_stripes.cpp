@@ -76,7 +76,11 @@ int fit_stripes(FitOptions const& options) {
     // A table does not state whether its levels share their waves: two to four at each may be the same ones. Trials
     // that are alone at their levels are of as many waves.
     auto const most = std::ranges::max(stripes, {}, &Stripe::trials).trials;
-    data.few_waves = most > 1 && most < least_waves ? most : 0;
+    std::int64_t trials = 0;
+    for (auto const& stripe : stripes) {
+        trials += stripe.trials;
+    }
+    data.few_waves = trials >= 2 * std::ssize(stripes) && most < least_waves ? most : 0;
     measured.fit = fit_fragility(data, request);
     measured.rank_area = rank_area(data.points);
     std::optional<HazardCurve> hazard;

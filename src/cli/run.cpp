@@ -31,6 +31,7 @@ struct RunVerbOptions {
     TextChoice text;
     bool resume = false;
     bool extend = false;
+    bool shrink = false;
     bool leaves_blocks = false;
     Packing packing;
 };
@@ -86,6 +87,7 @@ int run(RunVerbOptions const& options, parallel::Communicator const& comm) {
     run_options.output = output_of(options);
     run_options.resume = options.resume;
     run_options.extend = options.extend;
+    run_options.shrink = options.shrink;
     run_options.leaves_blocks = options.leaves_blocks;
     run_options.max_walltime_s = seconds_of_job(comm);
     if (options.max_walltime) {
@@ -113,6 +115,8 @@ void add_run(CommandLine& line) {
     verb.takes("--resume", options->resume, "continue an interrupted run");
     verb.takes("--extend", options->extend,
                "add waves, levels, bodies, limits or statistics to the finished file at -o; its rows are kept");
+    verb.takes("--shrink", options->shrink,
+               "with --extend: give up waves, levels and bodies that the campaign does not hold any more");
     verb.takes("--set", options->settings, "override keys: waves.count=50 bodies.0.friction=0.4", "KEY=VALUE ...");
     verb.takes("--max-walltime", options->max_walltime,
                "stop within this time, to be resumed later: \"50 min\", 01:00:00, 1-00:00:00; without a unit: seconds");

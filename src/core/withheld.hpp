@@ -7,8 +7,11 @@
 
 namespace overturn {
 
-/// "overturn-withheld sha256 <digits> of <n> bytes"
-[[nodiscard]] std::string withheld_text(std::string_view sha256, std::size_t bytes);
+/// "overturn-withheld sha256 <digits> of <n> bytes", and a second line "recording <recording>" where that is known.
+/// \param recording equal of the components of one recording, without spaces; empty: not known
+[[nodiscard]] std::string withheld_text(std::string_view sha256, std::size_t bytes, std::string_view recording);
+/// The recording of such a text.
+[[nodiscard]] std::string recording_of_withheld(std::string_view text);
 /// Is this what stands for a file, and not a file?
 [[nodiscard]] bool is_withheld(std::string_view content);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -27,14 +29,12 @@ constexpr std::uint64_t bootstrap_stream = 0x5E45;  // of draws that nothing els
 
 // How often each wave of the sample is drawn in every replicate; waves that share a target come together.
 std::vector<std::vector<double>> drawn_weights(CampaignSpec const& spec, std::span<std::int64_t const> numbers) {
-    std::int64_t const group_size = spec.source->about().shared.most;
-    std::vector<std::vector<std::size_t>> groups;
+    std::map<std::int64_t, std::vector<std::size_t>> by_draw;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
-        if (i == 0 || numbers[i] / group_size != numbers[i - 1] / group_size) {
-            groups.emplace_back();
-        }
-        groups.back().push_back(i);
+        by_draw[spec.source->about().shared(numbers[i])].push_back(i);
     }
+    std::vector<std::vector<std::size_t>> groups;
+    std::ranges::transform(by_draw, std::back_inserter(groups), [](auto const& draw) { return draw.second; });
     std::vector<std::vector<double>> all(replicates, std::vector<double>(numbers.size()));
     for (std::size_t r = 0; r < replicates; ++r) {
         RandomStream stream(spec.seed, r, Purpose::bootstrap, bootstrap_stream);

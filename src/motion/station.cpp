@@ -1,35 +1,15 @@
 #include "motion/station.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
-#include <string_view>
 #include <utility>
 
 #include "core/withheld.hpp"
-#include "motion/component_name.hpp"
 
 namespace overturn {
 namespace {
 
 constexpr std::size_t head_bytes = 16384;  // more than any header
-
-// "kobe" of "kobe.NS", "kobe.csv" of "kobe_EW.csv". Numbers may count motions.
-std::string without_component(std::string_view name) {
-    std::string rest;
-    for (std::size_t at = 0; at < name.size();) {
-        auto const end = std::min(name.find_first_of("._- ", at + 1), name.size());
-        auto const part = name.substr(at, end - at);
-        auto const word = part.substr(part.find_first_not_of("._- ") == 1 ? 1 : 0);
-        bool const letter = !word.empty() && std::isalpha(static_cast<unsigned char>(word[0])) != 0;
-        bool const whole = at == 0 && word.size() == 1;  // "x.csv" may be any motion
-        if (whole || !letter || direction_of(word) != Direction::horizontal) {
-            rest += part;
-        }
-        at = end;
-    }
-    return rest;
-}
 
 }  // namespace
 
@@ -50,11 +30,7 @@ StationFiles::FilesOfStation const& StationFiles::folder_of(std::string const& n
 
 std::string StationFiles::recording_of(std::string const& name) {
     auto const& content = files_->read(name);
-    if (auto station = is_withheld(content) ? std::string() : station_of_record(content); !station.empty()) {
-        return station;
-    }
-    auto const file = std::filesystem::path(name).lexically_normal();
-    return (file.parent_path() / without_component(file.filename().string())).string();
+    return is_withheld(content) ? recording_of_withheld(content) : station_of_record(content);
 }
 
 Recording StationFiles::joined(std::string const& name, Recording own, RecordRequest const& request) {

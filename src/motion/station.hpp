@@ -1,4 +1,4 @@
-/// The files of one station's recording.
+/// The files of one station's recording, found by what they say, never by their names.
 #pragma once
 
 #include <map>
@@ -21,8 +21,8 @@ class StationFiles {
     /// \throws InputError as read_recording and place; if the file does not say its station, is a vertical one, stands
     /// alone, or two files state one direction
     [[nodiscard]] PlacedRecord read(std::string const& name, RecordRequest request);
-    /// Equal of files that hold components of one recording: by station, event and time, where a file's head states
-    /// them, else by its path without the names of directions ("kobe_NS.csv", "kobe_EW.csv").
+    /// Station, event and time of a file of one component, equal of those of one recording; empty where its head does
+    /// not state them. Of a withheld file as it was stated when it was put aside.
     [[nodiscard]] std::string recording_of(std::string const& name);
 
   private:

@@ -60,13 +60,12 @@ class SheetMaker {
         return fmt::format("{}; {:g} % intervals{}", waves.empty() ? count_text(of_.statistics.waves().waves) : waves,
                            100 * of_.confidence, shows_responses_ ? "; slip and tilt: " + responses_title() : "");
     }
-    // Of few waves there is no percentile.
     [[nodiscard]] std::string responses_title() const {
-        constexpr std::int64_t least_for_p95 = 20;
-        auto const independent = of_.spec.source->about().shared.among(of_.statistics.waves().waves);
-        return independent < least_waves     ? "lowest to highest"
-               : independent < least_for_p95 ? "median to highest (a 95th percentile needs 20 independent waves)"
-                                             : "median / 95th percentile (<= its upper end)";
+        std::string const percentiles = "median / 95th percentile (<= its upper end)";
+        std::string const ranges = "lowest to highest";
+        return !shows_ranges_       ? percentiles
+               : shows_percentiles_ ? percentiles + "; of fewer than 20 independent trials " + ranges
+                                    : ranges + " (a 95th percentile needs 20 independent trials)";
     }
 
     // "600 gal = design", "900 gal = 1.5 x"
@@ -194,15 +193,22 @@ class SheetMaker {
     }
 
     [[nodiscard]] std::string needs_more() const {
-        return fmt::format("needs {} records or more ({} here)", least_records,
-                           of_.spec.source->about().shared.among(of_.statistics.waves().waves));
+        auto const& shared = of_.spec.source->about().shared;
+        return fmt::format("needs {} {} or more ({} here)", least_records, shared.most > 1 ? "recordings" : "records",
+                           shared.among(of_.statistics.waves().waves));
     }
 
     void add_responses(std::size_t b) {
         shows_responses_ = true;
         auto const& body = of_.analysis[b];
         auto const percentiles = [&](char const* quantity, double unit, double least) {
-            return [=, &body](std::size_t l) { return percentiles_text(quantiles_at(body, quantity, l), unit, least); };
+            return [=, this, &body](std::size_t l) {
+                auto const* const at = quantiles_at(body, quantity, l);
+                if (at != nullptr && !mostly_unknown(*at)) {
+                    (std::isnan(at->quantiles.back().value) ? shows_ranges_ : shows_percentiles_) = true;
+                }
+                return percentiles_text(at, unit, least);
+            };
         };
         auto const slip = typed_units(of_.spec).slip;
         add_row("", fmt::format("slip [{}]", slip.symbol), percentiles("peak_slip", slip.si, least_slip_m / slip.si));
@@ -259,7 +265,7 @@ class SheetMaker {
     std::size_t most_rows_, parts_;
     std::vector<std::size_t> levels_;
     bool too_few_;  // records, for probabilities
-    bool shows_responses_ = false;
+    bool shows_responses_ = false, shows_ranges_ = false, shows_percentiles_ = false;
     AnswerSheet sheet_;
 };
 

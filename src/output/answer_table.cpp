@@ -114,10 +114,11 @@ Table answer_table(Answered const& of) {
                  }
                  return row.frequency->ends();
              })
-        .add("annual_frequency_95", "1/a", "with beta_U, at 95 % confidence",
+        .add("annual_frequency_95", "1/a",
+             "with beta_U, at 95 % confidence, no lower than the upper end of annual_frequency",
              [=](Row const& row) -> std::optional<double> {
                  bool const known = row.frequency != nullptr && !too_few && row.frequency->fractiles;
-                 return known ? std::optional(row.frequency->fractiles->high) : std::nullopt;
+                 return known ? std::optional(row.frequency->fractiles->most) : std::nullopt;
              });
     return table.take();
 }

@@ -119,6 +119,10 @@ std::vector<Table> frequency_tables(std::string const& units, std::span<BodyFreq
         .add("fractile_5", "1/a", "by the curve of 95 % confidence", fractile(&Row::Fractiles::low))
         .add("fractile_50", "1/a", "by the median curve", fractile(&Row::Fractiles::median))
         .add("fractile_95", "1/a", "by the curve of 5 % confidence", fractile(&Row::Fractiles::high))
+        .add("fractile_95_most", "1/a",
+             "upper end of it, by sampling and by motions outside of levels and hazard curve; no lower than that of "
+             "frequency",
+             fractile(&Row::Fractiles::most))
         .add("stripes_alone", "1/a", "bounds from the stripes without a curve; no upper end where beta_U is not known",
              [](Row const& row) { return row.seen; })
         .add(

@@ -119,10 +119,11 @@ std::string row_of(BodyFrequency const& f) {
                         f.mean ? fmt::format("{:.3g}", mean_of(f)) : "-",
                         f.mean ? fmt::format("{:.2g}", f.extrapolated()) : "no curve", seen);
     return text
-           + (f.fractiles
-                  ? fmt::format("  by the curves at 5, 50, 95 % confidence: {:.3g}, {:.3g}, {:.3g} a year\n",
-                                rounded_down(f.fractiles->low), f.fractiles->median, rounded_up(f.fractiles->high))
-                  : std::string());
+           + (f.fractiles ? fmt::format(
+                  "  by the curves at 5, 50, 95 % confidence: {:.3g}, {:.3g}, {:.3g} a year; at most {:.3g}\n",
+                  rounded_down(f.fractiles->low), f.fractiles->median, rounded_up(f.fractiles->high),
+                  rounded_up(f.fractiles->most))
+                          : std::string());
 }
 
 }  // namespace

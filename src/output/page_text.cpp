@@ -84,8 +84,8 @@ std::string frequency_line(Answered const& of, std::string const& body, std::str
                            100 * of.confidence, low, headline_digits, high, headline_digits);
     }
     auto const mean = rounded_up(f->mean->annual + f->mean->beyond_least, headline_digits);
-    auto const confident = f->fractiles ? fmt::format("; with beta_U at 95 % confidence {:.{}g}",
-                                                      rounded_up(f->fractiles->high, headline_digits), headline_digits)
+    auto const confident = f->fractiles ? fmt::format("; with beta_U at 95 % confidence at most {:.{}g}",
+                                                      rounded_up(f->fractiles->most, headline_digits), headline_digits)
                                         : std::string();
     return fmt::format("{:.{}g} times a year ({:g} %: {:.{}g} to {:.{}g} by sampling{})", mean, headline_digits,
                        100 * of.confidence, low, headline_digits, high, headline_digits, confident);

@@ -13,8 +13,14 @@ namespace {
 
 double whole(AnnualFrequency const& frequency) { return frequency.annual + frequency.beyond_least; }
 
-LognormalFragility curve_of(Replicate const& refit, double beside) {
-    return {std::exp(refit.log_median), std::hypot(refit.beta, beside)};
+// What is taken for the curve beside what it was fitted to.
+struct Beside {
+    double beta = 0;       ///< stated, beside what was drawn
+    double log_shift = 0;  ///< of the median
+};
+
+LognormalFragility curve_of(Replicate const& refit, Beside const& beside) {
+    return {std::exp(refit.log_median + beside.log_shift), std::hypot(refit.beta, beside.beta)};
 }
 
 // Of the upper end of a motion's frequency, where nothing is known of a refit's curve.
@@ -23,7 +29,7 @@ double all_motions(HazardCurve const& hazard, TriedRange const& tried) {
 }
 
 // Refits without a curve bound nothing: neither how often it is passed nor how seldom.
-Interval interval_of(std::span<Replicate const> refits, double beside, HazardCurve const& hazard,
+Interval interval_of(std::span<Replicate const> refits, Beside const& beside, HazardCurve const& hazard,
                      TriedRange const& tried, double confidence) {
     std::vector<double> low;
     std::vector<double> high;
@@ -44,9 +50,8 @@ Interval interval_of(std::span<Replicate const> refits, double beside, HazardCur
 }
 
 // Whatever trials without a verdict would have done.
-Interval interval_of_fit(FragilityFit const& fit, HazardCurve const& hazard, TriedRange const& tried,
-                         double confidence) {
-    double const beside = fit.beta_u_stated;  // what was drawn is in the refits
+Interval interval_of_fit(FragilityFit const& fit, Beside const& beside, HazardCurve const& hazard,
+                         TriedRange const& tried, double confidence) {
     confidence = fit.waves > 0 ? resampled_confidence(confidence, fit.waves) : confidence;
     auto ends = interval_of(fit.refits, beside, hazard, tried, confidence);
     for (auto const& refits : fit.extreme_refits) {
@@ -58,10 +63,10 @@ Interval interval_of_fit(FragilityFit const& fit, HazardCurve const& hazard, Tri
         bool const open = median.lower <= 0 || !std::isfinite(beta.upper);
         double const most =
             open ? all_motions(hazard, tried)
-                 : frequency_bounds(hazard, {median.lower, std::hypot(beta.upper, beside)}, tried).most();
+                 : frequency_bounds(hazard, curve_of({std::log(median.lower), beta.upper}, beside), tried).most();
         double const least =
             std::isfinite(median.upper) && beta.lower > 0
-                ? frequency_bounds(hazard, {median.upper, std::hypot(beta.lower, beside)}, tried).least()
+                ? frequency_bounds(hazard, curve_of({std::log(median.upper), beta.lower}, beside), tried).least()
                 : 0;
         ends = hull(ends, {least, most});
     }
@@ -122,12 +127,15 @@ void open_above(BodyFrequency& made) {
     made.interval.upper = made.seen.upper = std::numeric_limits<double>::infinity();
 }
 
-void add_fractiles(BodyFrequency& made, double median, double beta_r, double beta_u, HazardCurve const& hazard) {
-    constexpr double score = 1.6448536269514722;
+constexpr double score_95 = 1.6448536269514722;
+
+/// \param upper of the highest curve, by whatever else is not known
+void add_fractiles(BodyFrequency& made, double median, double beta_r, double beta_u, HazardCurve const& hazard,
+                   double upper) {
     auto const at = [&](double scores) {
         return whole(annual_frequency(hazard, {median * std::exp(scores * beta_u), beta_r}));
     };
-    made.fractiles = {at(score), at(0), at(-score)};
+    made.fractiles = {at(score_95), at(0), at(-score_95), std::max({at(-score_95), upper, made.interval.upper})};
 }
 
 }  // namespace
@@ -164,7 +172,8 @@ BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes
     // Levels that decided anything may lie outside of the hazard curve although all of them do not.
     TriedRange const tried{std::min(fit.lowest, hazard.last()), std::max(fit.highest, hazard.first()), nothing_below};
     add_curve(made, composite, hazard, tried);
-    made.interval = hull(interval_of_fit(fit, hazard, tried, confidence), {made.bounds.least(), made.bounds.most()});
+    made.interval = hull(interval_of_fit(fit, {fit.beta_u_stated, 0}, hazard, tried, confidence),
+                         {made.bounds.least(), made.bounds.most()});
     made.few_waves = has(fit.flags, FragilityFlag::few_waves) ? fit.waves : 0;
     made.poor = has(fit.flags, FragilityFlag::poor_fit) || has(fit.flags, FragilityFlag::five_percent_doubtful);
     if (made.poor || fit.undecided > 0) {  // with all of them fallen, or standing, it may not describe the data
@@ -176,7 +185,10 @@ BodyFrequency frequency_of(FragilityFit const& fit, FragilityData const& stripes
     auto const& mean = *made.mean;
     made.outside_seen = whole(mean) > made.seen.upper || whole(mean) < made.seen.lower;
     if (fit.beta_u_known) {
-        add_fractiles(made, median, fit.beta_r(), fit.beta_u, hazard);
+        // With what was drawn still in the beta of refits: wider.
+        Beside const highest{0, -score_95 * fit.beta_u};
+        auto const upper = interval_of_fit(fit, highest, hazard, tried, confidence).upper;
+        add_fractiles(made, median, fit.beta_r(), fit.beta_u, hazard, upper);
     } else {
         open_above(made);
     }
@@ -190,7 +202,9 @@ BodyFrequency frequency_of_stated(double median, double beta_r, double beta_u, H
     add_curve(made, {median, std::hypot(beta_r, beta_u)}, hazard, {made.lowest, made.highest, 0});
     made.interval = {made.bounds.least(), made.bounds.most()};
     if (beta_u > 0) {
-        add_fractiles(made, median, beta_r, beta_u, hazard);
+        LognormalFragility const highest{median * std::exp(-score_95 * beta_u), beta_r};
+        add_fractiles(made, median, beta_r, beta_u, hazard,
+                      frequency_bounds(hazard, highest, {made.lowest, made.highest, 0}).most());
     } else {
         open_above(made);
     }

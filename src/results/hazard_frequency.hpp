@@ -34,6 +34,9 @@ struct BodyFrequency {
     /// Frequency by the curves at 5, 50 and 95 % confidence, median exp(-+1.645 beta_U), where beta_U is known.
     struct Fractiles {
         double low = 0, median = 0, high = 0;
+        /// The answer at 95 % confidence: upper end of `high` by refits, trials without a verdict and motions outside
+        /// of levels and hazard curve as for `interval`, and no lower than the upper end of that.
+        double most = 0;
     };
     std::optional<Fractiles> fractiles;
     /// From the stripes alone (annual_frequency_seen), likewise, with a stated beta_U; the upper end with the hazard

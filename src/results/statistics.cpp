@@ -43,7 +43,8 @@ Statistics::Statistics(CampaignSpec const& spec, TrialsHeld held)
         BodyStatistics statistics;
         statistics.body = body.name;
         for (auto const& level : spec.levels.levels) {
-            statistics.stripes.push_back({.amplitude = level.value, .group_size = spec.source->about().shared.most});
+            statistics.stripes.push_back(
+                {.amplitude = level.value, .group_size = spec.source->about().shared.effect()});
         }
         statistics.limits.resize(spec.limits.size() - 1, {statistics.stripes, 0, 0});
         statistics.v_wes.resize(statistics.stripes.size());

@@ -71,7 +71,7 @@ std::vector<BodiesTogether> bodies_together(CampaignSpec const& spec, Statistics
     for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
         together.push_back(
             {spec.limits[limit].name, spec.limits[limit].passing(),
-             study_joint(joint_trials(spec, statistics.measured(), limit), spec.source->about().shared.most)});
+             study_joint(joint_trials(spec, statistics.measured(), limit), spec.source->about().shared.effect())});
     }
     return together;
 }

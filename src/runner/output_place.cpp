@@ -195,7 +195,8 @@ OutputState lock_output(std::filesystem::path const& output, store::ShardFolder 
     validate(!std::filesystem::exists(output) || std::filesystem::is_regular_file(output),
              "output {} (is no file that could hold results). {}", output.string(),
              store::advice_beside_blocks(output, "Name another with -o"));
-    bool const extends = request.extend && can_be_extended(output, input) && !is_same_campaign(output, input);
+    bool const extends =
+        request.extend && can_be_extended(output, input, request.shrink) && !is_same_campaign(output, input);
     auto const refuse_taken = [&] {
         if (request.resume || !std::filesystem::exists(output)) {
             return;

@@ -26,6 +26,7 @@ struct OutputState {
 struct OutputRequest {
     bool resume = false;
     bool extend = false;  ///< a finished file that can be extended is no obstacle; with resume
+    bool shrink = false;  ///< rows of it may be left out
     Part part;
 };
 

@@ -38,7 +38,10 @@ std::vector<std::int64_t> all_of(store::BlockRange const& range) {
 
 // What a stopped run, or a finished part, has to say.
 void print_what_is_left(CampaignInput const& input, RunOptions const& options, std::int64_t done, std::int64_t blocks) {
-    auto const again = resume_command(input, options.output, options.extend ? "--extend" : "--resume");
+    auto const again = resume_command(input, options.output,
+                                      options.shrink   ? "--extend --shrink"
+                                      : options.extend ? "--extend"
+                                                       : "--resume");
     if (options.part.is_whole() && options.leaves_blocks && done == blocks) {
         fmt::print("all blocks are done. For the file: overturn merge {}\n", options.output.string());
         return;
@@ -78,7 +81,10 @@ class Run {
                  options_.part.number, options_.part.of);
         validate(!options_.extend || options_.part.is_whole(),
                  "--extend beside --part (one run extends). Leave one out");
-        OutputRequest const request{options_.resume || options_.extend, options_.extend, options_.part};
+        validate(!options_.shrink || options_.extend,
+                 "--shrink without --extend (it is for a finished file). Add --extend");
+        OutputRequest const request{options_.resume || options_.extend, options_.extend, options_.shrink,
+                                    options_.part};
         validate(!options_.leaves_blocks || (!options_.extend && !spec_.rare),
                  "--leave-blocks beside {} (which need the file). Leave one out",
                  options_.extend ? "--extend" : "[rare]");

@@ -15,6 +15,7 @@ struct RunOptions {
     std::filesystem::path output;
     bool resume = false;
     bool extend = false;  ///< rows of a finished file go into this one; implies resume
+    bool shrink = false;  ///< with extend: rows that this campaign does not ask for are given up
     double max_walltime_s = std::numeric_limits<double>::infinity();
     Part part;                   ///< the whole, or one part of an array job, whose blocks wait for merge_parts
     bool quiet = false;          ///< no table on stdout

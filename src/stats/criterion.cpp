@@ -9,7 +9,7 @@
 
 namespace overturn {
 
-Share share_of(std::int64_t count, std::int64_t of, double confidence, std::int64_t group_size) {
+Share share_of(std::int64_t count, std::int64_t of, double confidence, double group_size) {
     return {count, of, clopper_pearson_of_groups(count, count, of, group_size, confidence)};
 }
 
@@ -24,14 +24,14 @@ struct ShareOfTrials {
         count += counts ? 1 : 0;
     }
     // So many trials count as one where all of a wave end alike: the design effect of clusters (Kish 1965).
-    [[nodiscard]] Share made(double confidence, std::int64_t group_size) const {
+    [[nodiscard]] Share made(double confidence, double group_size) const {
         std::int64_t all = 0;
         std::int64_t squares = 0;
         for (auto const trials : of_wave) {
             all += trials;
             squares += trials * trials;
         }
-        auto const effect = all > 0 ? (squares + all - 1) / all : 1;
+        double const effect = all > 0 ? static_cast<double>(squares) / static_cast<double>(all) : 1;
         return share_of(count, all, confidence, effect * group_size);
     }
 
@@ -50,7 +50,7 @@ std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios) {
                           quantile(ratios, 0.5), quantile(ratios, 0.75), quantile(ratios, 0.95), ratios.back()};
 }
 
-CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence, std::int64_t group_size) {
+CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence, double group_size) {
     CriterionStudy study;
     std::vector<double> overturned;
     constexpr double none = std::numeric_limits<double>::quiet_NaN();

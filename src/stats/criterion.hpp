@@ -27,7 +27,7 @@ struct Share {
     [[nodiscard]] double value() const { return static_cast<double>(count) / static_cast<double>(of); }
 };
 /// \param group_size so many of them share what was drawn, and count as one in the interval
-[[nodiscard]] Share share_of(std::int64_t count, std::int64_t of, double confidence, std::int64_t group_size = 1);
+[[nodiscard]] Share share_of(std::int64_t count, std::int64_t of, double confidence, double group_size = 1);
 
 /// Quantiles of the ratio; empty if there was no trial of that kind.
 struct RatioQuantiles {
@@ -54,6 +54,6 @@ struct CriterionStudy {
 };
 /// \param group_size so many waves share what was drawn, and count as one in intervals
 [[nodiscard]] CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence,
-                                             std::int64_t group_size = 1);
+                                             double group_size = 1);
 
 }  // namespace overturn

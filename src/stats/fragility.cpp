@@ -200,23 +200,23 @@ FragilityData FragilityData::of_stripes(std::span<Stripe const> stripes) {
     for (auto const& stripe : stripes) {
         if (auto const open = stripe.trials - stripe.decided(); open > 0) {
             data.open_points.push_back(
-                {std::log(stripe.amplitude), 0, 0, static_cast<double>(open), static_cast<double>(stripe.group_size)});
+                {std::log(stripe.amplitude), 0, 0, static_cast<double>(open), stripe.group_size});
         }
     }
     return data;
 }
 
 FragilityData FragilityData::of_trials(std::vector<SingleTrial> trials, bool waves_shared,
-                                       std::vector<SingleTrial> open, std::int64_t lost, std::int64_t group_size) {
+                                       std::vector<SingleTrial> open, std::int64_t lost, double group_size) {
     FragilityData data;
     data.kind = Kind::singles;
     data.points = points_of(trials, most_cells);
     for (auto& point : data.points) {
-        point.group_size = static_cast<double>(group_size);
+        point.group_size = group_size;
     }
     data.open_points = points_of(open, most_cells);
     for (auto& point : data.open_points) {
-        point = {point.log_intensity, 0, 0, point.trials, static_cast<double>(group_size)};
+        point = {point.log_intensity, 0, 0, point.trials, group_size};
     }
     if (!data.points.empty()) {
         data.points.back().undecided = static_cast<double>(lost) + static_cast<double>(open.size());

@@ -63,7 +63,7 @@ struct FragilityData {
     /// measure is not known \param group_size so many trials share what was drawn
     [[nodiscard]] static FragilityData of_trials(std::vector<SingleTrial> trials, bool waves_shared,
                                                  std::vector<SingleTrial> open = {}, std::int64_t lost = 0,
-                                                 std::int64_t group_size = 1);
+                                                 double group_size = 1);
 };
 
 /// An intensity at which P is wanted.

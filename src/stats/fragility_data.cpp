@@ -127,8 +127,7 @@ std::vector<FragilityPoint> points_of(std::span<Stripe const> stripes) {
         if (stripe.decided() > 0) {
             points.push_back({std::log(stripe.amplitude), static_cast<double>(stripe.decided()),
                               static_cast<double>(stripe.overturned),
-                              static_cast<double>(stripe.trials - stripe.decided()),
-                              static_cast<double>(stripe.group_size)});
+                              static_cast<double>(stripe.trials - stripe.decided()), stripe.group_size});
         }
     }
     std::sort(points.begin(), points.end(),

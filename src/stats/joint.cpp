@@ -58,7 +58,7 @@ JointPair pair_of(Levels const& levels, std::size_t a, std::size_t b) {
     return pair;
 }
 
-Stripe any_of(double amplitude, std::vector<JointTrial const*> const& trials, std::int64_t group_size) {
+Stripe any_of(double amplitude, std::vector<JointTrial const*> const& trials, double group_size) {
     Stripe stripe{.amplitude = amplitude, .group_size = group_size};
     for (auto const* trial : trials) {
         bool const fell = std::ranges::count(trial->ends, JointEnd::overturned) > 0;
@@ -87,7 +87,7 @@ double independent(std::vector<JointTrial const*> const& trials) {
 
 }  // namespace
 
-JointBodies study_joint(std::span<JointTrial const> trials, std::int64_t group_size) {
+JointBodies study_joint(std::span<JointTrial const> trials, double group_size) {
     JointBodies joint;
     Levels levels;
     for (auto const& trial : trials) {

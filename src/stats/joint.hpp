@@ -40,6 +40,6 @@ struct JointBodies {
 };
 
 /// \param group_size so many waves share what was drawn \pre every trial has the same number of ends
-[[nodiscard]] JointBodies study_joint(std::span<JointTrial const> trials, std::int64_t group_size = 1);
+[[nodiscard]] JointBodies study_joint(std::span<JointTrial const> trials, double group_size = 1);
 
 }  // namespace overturn

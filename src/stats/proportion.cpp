@@ -50,12 +50,16 @@ Interval clopper_pearson(std::int64_t successes, std::int64_t trials, double con
     return {.lower = lower_bound(successes, trials, tail), .upper = 1 - lower_bound(trials - successes, trials, tail)};
 }
 
-Interval clopper_pearson_of_groups(std::int64_t least, std::int64_t most, std::int64_t trials, std::int64_t group_size,
+Interval clopper_pearson_of_groups(std::int64_t least, std::int64_t most, std::int64_t trials, double group_size,
                                    double confidence) {
     OVERTURN_EXPECT(group_size >= 1 && least <= most);
-    auto const groups = trials > 0 ? std::max<std::int64_t>(1, trials / group_size) : 0;
-    auto const begun = (most + group_size - 1) / group_size;
-    return {clopper_pearson(std::min(least / group_size, groups), groups, confidence).lower,
+    constexpr double rounding = 1e-9;
+    auto const whole = [&](double count) {
+        return static_cast<std::int64_t>(std::floor(count / group_size + rounding));
+    };
+    auto const begun = static_cast<std::int64_t>(std::ceil(static_cast<double>(most) / group_size - rounding));
+    auto const groups = trials > 0 ? std::max<std::int64_t>(1, whole(static_cast<double>(trials))) : 0;
+    return {clopper_pearson(std::min(whole(static_cast<double>(least)), groups), groups, confidence).lower,
             clopper_pearson(std::min(begun, groups), groups, confidence).upper};
 }
 

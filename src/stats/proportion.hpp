@@ -21,6 +21,6 @@ struct Interval {
 /// (a design effect of `group_size`, the largest there is: Kish 1965). Parts of a group are rounded outwards.
 /// \param least, most successes that are certain, and possible
 [[nodiscard]] Interval clopper_pearson_of_groups(std::int64_t least, std::int64_t most, std::int64_t trials,
-                                                 std::int64_t group_size, double confidence);
+                                                 double group_size, double confidence);
 
 }  // namespace overturn

@@ -99,15 +99,16 @@ double between(std::span<double const> sorted, double q) {
 }  // namespace
 
 SampleQuantile sample_quantile(std::span<double const> sorted, std::int64_t unplaced, double q, double confidence,
-                               std::int64_t group_size) {
+                               double group_size) {
     std::int64_t const known = sorted.size();
     auto const n = known + unplaced;
     SampleQuantile found{q, known == 0 ? std::numeric_limits<double>::quiet_NaN() : between(sorted, q), {}, {}};
     double const risk = (1 - confidence) / 2;
     // The upper end is the lower one of the mirrored sample. The unplaced lie where they move an end furthest.
+    auto const whole = [](double count) { return static_cast<std::int64_t>(count + 1e-9); };
     auto const rank = [&](double share) {  // of groups, then of the outermost in its group
-        auto const of_groups = lower_rank(n / group_size, share, risk);
-        return of_groups == 0 ? 0 : group_size * (of_groups - 1) + 1;
+        auto const of_groups = lower_rank(whole(static_cast<double>(n) / group_size), share, risk);
+        return of_groups == 0 ? 0 : whole(group_size * static_cast<double>(of_groups - 1)) + 1;
     };
     auto const low = rank(q) - unplaced;
     auto const high = n + 1 - rank(1 - q);

@@ -35,6 +35,6 @@ struct SampleQuantile {
 /// widen the interval \param group_size so many of the sample share what was drawn, and count as one value in the
 /// interval
 [[nodiscard]] SampleQuantile sample_quantile(std::span<double const> sorted, std::int64_t unplaced, double q,
-                                             double confidence, std::int64_t group_size = 1);
+                                             double confidence, double group_size = 1);
 
 }  // namespace overturn

@@ -14,8 +14,8 @@ struct Stripe {
     std::int64_t trials = 0;
     std::int64_t overturned = 0;
     std::int64_t failed = 0;
-    std::int64_t undecided = 0;   ///< besides those
-    std::int64_t group_size = 1;  ///< so many trials share what was drawn, and count as one in the interval
+    std::int64_t undecided = 0;  ///< besides those
+    double group_size = 1;       ///< so many trials share what was drawn, and count as one in the interval
 
     [[nodiscard]] std::int64_t decided() const { return trials - failed - undecided; }
     /// Overturned over decided; NaN where nothing is decided.

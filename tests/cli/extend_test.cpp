@@ -113,12 +113,38 @@ TEST_F(Extend, LevelsAndBodiesAreTakenAway) {
         write(with_levels(with_body_last(small_campaign(waves, 6))));
         ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
         write(small_campaign(waves, 4));
-        auto const ended = extend(2);
+        auto const bytes = folder.read("c.h5");
+        auto const refused = extend(2);
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_NE(refused.err.find("finished rows would be lost (waves.count is 4, 6 waves are there; level "),
+                  std::string::npos)
+            << refused.err;
+        EXPECT_NE(refused.err.find("; body type-c). Undo that, or add --shrink"), std::string::npos) << refused.err;
+        EXPECT_TRUE(folder.read("c.h5") == bytes);
+        auto const ended = execute(folder, mpirun(2, {"run", "c.toml", "--extend", "--shrink"}));
         ASSERT_EQ(ended.code, 0) << ended.err;
         EXPECT_EQ(trials_answered(ended.err), 0) << ended.err;
         expect_as_at_once();
         std::filesystem::remove(folder / "c.h5");
     }
+}
+
+// R-1107: a count that was forgotten, or a level that was replaced, deletes nothing.
+TEST_F(Extend, WhatWasForgottenIsNotLost) {
+    write(small_campaign("shared", 6));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "--set", "waves.count=20"}).code, 0);
+    auto const bytes = folder.read("c.h5");
+    for (auto const& settings : {std::vector<std::string>{"--set", "title=other"},
+                                 {"--set", "waves.count=30", "--set", "bodies.0.name=renamed"},
+                                 {"--set", "waves.count=20", "--set", "levels.values=['300 gal','600 gal']"}}) {
+        std::vector<std::string> command{"run", "c.toml", "--extend"};
+        command.insert(command.end(), settings.begin(), settings.end());
+        auto const refused = overturn(folder, command);
+        EXPECT_EQ(refused.code, 2) << refused.err;
+        EXPECT_NE(refused.err.find("finished rows would be lost ("), std::string::npos) << refused.err;
+        EXPECT_TRUE(folder.read("c.h5") == bytes);
+    }
+    EXPECT_EQ(overturn(folder, {"run", "c.toml", "--shrink"}).code, 2);
 }
 
 // R-1107: a body that a file describes comes with its file.
@@ -216,7 +242,7 @@ TEST_F(Extend, WhatMovesNoRowTakesAll) {
     EXPECT_NE(again.out.find("complete already"), std::string::npos) << again.out;
     text.replace(text.find("count=6"), 7, "count=4");
     write(text);
-    ASSERT_EQ(extend(1).code, 0);
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "--extend", "--shrink"}).code, 0);
     expect_as_at_once();
 }
 

@@ -360,7 +360,7 @@ TEST_F(Fit, TakesBetaUOfTheCampaign) {
     folder.write("c.toml", campaign);
     auto const plain = overturn(folder, {"run", "c.toml", "--set", levels});
     ASSERT_EQ(plain.code, 0) << plain.err;
-    EXPECT_NE(plain.out.find("unknown: beta_U of the body is not stated; 5 % point "), std::string::npos) << plain.out;
+    EXPECT_NE(plain.out.find("unknown: needs beta_U; 5 % point "), std::string::npos) << plain.out;
     EXPECT_NE(plain.out.find("it needs beta_U, the spread of the median"), std::string::npos) << plain.out;
     folder.write("u.toml", campaign + "[statistics]\nbeta_u={value=0.3,basis='assumed',source='usual'}\n");
     auto const stated = overturn(folder, {"run", "u.toml", "--set", levels});

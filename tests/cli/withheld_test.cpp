@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "cli/python.hpp"
+#include "core/units.hpp"
 #include "support/command.hpp"
 
 namespace overturn::testing {
@@ -68,6 +69,42 @@ TEST_F(Withheld, TheFileHoldsNamesAndHashesAlone) {
     auto const stripes = fit.out.substr(0, fit.out.find("hand"));
     EXPECT_FALSE(stripes.empty());
     EXPECT_EQ(whole.substr(0, whole.find("hand")).substr(0, 500), stripes.substr(0, 500));
+}
+
+// who has no record counts recordings as who has them.
+TEST_F(Withheld, ComponentsOfOneStationAreOneSampleStill) {
+    auto const peer = [](int component, int station) {
+        std::string text = fmt::format(
+            "PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere, 5/19/1940, Station {}, {:03}\n"
+            "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=  400, DT=   .0100 SEC\n",
+            station, component);
+        for (int i = 0; i < 400; ++i) {
+            text += fmt::format("{:.6f}{}",
+                                0.1 * std::sin(0.05 * (station + 0.01 * component) * i) * std::sin(pi * i / 400),
+                                i % 5 == 4 ? "\n" : " ");
+        }
+        return text;
+    };
+    std::string files;
+    for (int station = 1; station <= 5; ++station) {
+        for (int const component : {0, 90}) {
+            auto const name = fmt::format("r{}{}.at2", station, component == 0 ? "a" : "b");
+            folder.write(name, peer(component, station));
+            files += fmt::format("'{}',", name);
+        }
+    }
+    folder.write("peer.toml",
+                 "seed=1\ninputs='hash-only'\n[waves]\nsource='records'\nbaseline='mean'\nfiles=[" + files
+                     + "]\n[[bodies]]\nfile='body.toml'\n[levels]\nmeasure='pga'\nvalues=['0.3 g', '0.6 g']\n");
+    auto const run = overturn(folder, {"run", "peer.toml", "-o", "away/peer.h5"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    auto const answer = run.out.substr(0, run.out.find("\nWaves: "));
+    EXPECT_NE(answer.find("(0 of 10)"), std::string::npos) << answer;
+    EXPECT_NE(answer.find("< 0.522"), std::string::npos) << "of five: 1 - 0.025^(1/5)\n" << answer;
+    auto const fit = there({"fit", "peer.h5"});
+    EXPECT_EQ(fit.code, 0) << fit.err;
+    EXPECT_NE(fit.out.find(answer), std::string::npos) << fit.out;
+    EXPECT_EQ(folder.read("away/peer.h5").find("Station 3"), std::string::npos) << "a hash of it alone";
 }
 
 // an annual frequency needs no record: a withheld one may have any component.

@@ -57,13 +57,32 @@ TEST(Records, ComponentsOfOneRecordingAreNoTwoSamples) {
     EXPECT_EQ(about.variability, "3 recorded motions of 2 recordings, as chosen");
     EXPECT_EQ(named({"a/NS.csv", "a/EW.csv", "b/NS.csv", "b/EW.csv"}).shared.of, (Numbers{0, 0, 1, 1}));
     EXPECT_EQ(named({"tokachi.NS", "tokachi.EW"}).shared.most, 2);
-    // Numbers count motions, and a letter is a name.
-    for (auto const& different :
-         {named({"m-1.csv", "m-2.csv"}), named({"x.csv", "y.csv"}), named({"kobe.csv", "taft.csv"})}) {
-        EXPECT_EQ(different.shared.most, 1);
+    EXPECT_EQ(named({"NS/kobe.csv", "EW/kobe.csv"}).shared.most, 2);
+    EXPECT_EQ(
+        named({"RSN1106_KJM000.csv", "RSN1106_KJM090.csv", "TCU068N.csv", "TCU068E.csv", "kobeNS.csv", "kobeEW.csv"})
+            .shared.of,
+        (Numbers{0, 0, 1, 1, 2, 2}));
+    EXPECT_EQ(
+        named({"hachinohe_000.csv", "hachinohe_090.csv", "a_H1.csv", "a_H2.csv", "b (NS).csv", "b (EW).csv"}).shared.of,
+        (Numbers{0, 0, 1, 1, 2, 2}));
+    // Numbers count motions, letters are names, a word amid others says what it is of, and east is no pair of west.
+    using Names = std::initializer_list<char const*>;
+    for (auto const& names : {Names{"m-1.csv", "m-2.csv"},
+                              {"x.csv", "y.csv"},
+                              {"kobe.csv", "taft.csv"},
+                              {"H1.csv", "H2.csv"},
+                              {"event_L.csv", "event_N.csv", "event_R.csv", "event_S.csv", "event_T.csv"},
+                              {"site_east.csv", "site_west.csv"},
+                              {"run_x.csv", "run_y.csv", "run_a.csv"},
+                              {"San.csv", "San_E.csv", "San_N.csv", "San_S.csv", "San_W.csv"},
+                              {"wave.csv", "wave_h.csv"},
+                              {"d_H1_run1.csv", "d_H2_run1.csv"},
+                              {"East_Bohemia_2008.csv", "West_Bohemia_2008.csv"}}) {
+        auto const different = named(names);
+        EXPECT_EQ(different.shared.most, 1) << *names.begin();
         EXPECT_TRUE(different.shared.of.empty());
         EXPECT_EQ(different.shared.among(2), 2);
-        EXPECT_EQ(different.variability, "2 recorded motions, as chosen");
+        EXPECT_EQ(different.variability, fmt::format("{} recorded motions, as chosen", names.size()));
     }
 }
 
@@ -87,6 +106,14 @@ TEST(Records, ComponentsOfOneStationAreFoundByTheHeads) {
     auto const of_peer = source_of("source='records'\nfiles=['one.at2','two.at2']\n",
                                    {{"one.at2", peer("180", 1)}, {"two.at2", peer("270", 3)}});
     EXPECT_EQ(of_peer->about().shared.most, 2);
+}
+
+// intervals count by the effect of uneven clusters (Kish 1965): (2^2 + 3 1^2) / 5 of a pair among five rows.
+TEST(Records, OnePairAmongManyWidensLittle) {
+    SharedDraws shared{2, {0, 0, 1, 2, 3}};
+    EXPECT_DOUBLE_EQ(shared.effect(), 1.4);
+    EXPECT_EQ(shared.among(5), 4);
+    EXPECT_EQ((SharedDraws{3, {}}).effect(), 3);
 }
 
 // how records are read is each record's own where each has a table.

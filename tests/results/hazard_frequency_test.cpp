@@ -243,6 +243,12 @@ TEST_F(Frequency, IsThatOfTheCurveAndWithinTheStripes) {
     EXPECT_NEAR(with.fractiles->median / mean, 1, 1e-9);
     EXPECT_NEAR(with.fractiles->high / with.fractiles->median, std::exp(3 * 1.6448536 * 0.3), 0.02);
     EXPECT_NEAR(with.fractiles->median / with.fractiles->low, std::exp(3 * 1.6448536 * 0.3), 0.02);
+    // At 95 % confidence the curve, the sample and what was not tried are on the unsafe side together.
+    EXPECT_GT(with.fractiles->most, 1.1 * with.fractiles->high);
+    EXPECT_GE(with.fractiles->most, with.interval.upper);
+    EXPECT_GE(frequencies_of(spec, statistics, sure, hazard, 0.95).front().fractiles->most, upper);
+    auto const stated = frequency_of_stated(0.3, 0.1, 1.5, HazardCurve({{0.5, 1e-2}, {50, 1e-8}}));
+    EXPECT_GE(stated.fractiles->most, stated.interval.upper);
 }
 
 // Motions below uplift move nothing: how far down the user's table goes changes no bound, and where no such level is

@@ -2,17 +2,23 @@
 // it stood when bodies fell.
 #include "stats/criterion.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace overturn {
 namespace {
 
 /// \param together so many trials count as one
-void expect_share(Share const& share, std::int64_t count, std::int64_t of, std::int64_t together = 1) {
+void expect_share(Share const& share, std::int64_t count, std::int64_t of, double together = 1) {
     EXPECT_EQ(share.count, count);
     EXPECT_EQ(share.of, of);
-    EXPECT_EQ(share.interval.lower, clopper_pearson(count / together, of / together, 0.95).lower);
-    EXPECT_EQ(share.interval.upper, clopper_pearson((count + together - 1) / together, of / together, 0.95).upper);
+    auto const groups = static_cast<std::int64_t>(static_cast<double>(of) / together);
+    auto const counted = static_cast<double>(count) / together;
+    EXPECT_EQ(share.interval.lower, clopper_pearson(static_cast<std::int64_t>(counted), groups, 0.95).lower);
+    EXPECT_EQ(share.interval.upper,
+              clopper_pearson(std::min(groups, static_cast<std::int64_t>(std::ceil(counted))), groups, 0.95).upper);
 }
 
 TEST(CriterionStudy, CountsTrialsAndWaves) {
@@ -22,10 +28,10 @@ TEST(CriterionStudy, CountsTrialsAndWaves) {
     auto const study = study_criterion(trials, 0.95);
 
     // Waves give 3, 1 and 1 of the safe trials, and 2 and 1 of those that fell: 11 / 5 and 5 / 3 count as one.
-    expect_share(study.safe_but_overturned, 2, 5, 3);
-    expect_share(study.overturned_predicted_safe, 2, 3, 2);
-    expect_share(study.unsafe_but_stood, 2, 3, 2);  // at exactly 1 it is not called safe
-    expect_share(study.stood_predicted_unsafe, 2, 5, 3);
+    expect_share(study.safe_but_overturned, 2, 5, 11.0 / 5);
+    expect_share(study.overturned_predicted_safe, 2, 3, 5.0 / 3);
+    expect_share(study.unsafe_but_stood, 2, 3, 5.0 / 3);  // at exactly 1 it is not called safe
+    expect_share(study.stood_predicted_unsafe, 2, 5, 11.0 / 5);
     expect_share(study.waves_safe_but_overturned, 1, 3);
     EXPECT_EQ(study.at_overturning->count, 3);
     EXPECT_EQ(study.at_overturning->median, 0.9);
@@ -50,8 +56,8 @@ TEST(CriterionStudy, CountsWhatUplifted) {
                                              {1.2, 4, true, true}};
     auto const study = study_criterion(trials, 0.95);
 
-    expect_share(study.safe_but_overturned, 1, 6, 3);  // of waves with 3, 2 and 1
-    expect_share(study.safe_uplifted_but_overturned, 1, 3, 2);
+    expect_share(study.safe_but_overturned, 1, 6, 14.0 / 6);  // of waves with 3, 2 and 1
+    expect_share(study.safe_uplifted_but_overturned, 1, 3, 5.0 / 3);
     expect_share(study.waves_safe_but_overturned, 1, 3);
     expect_share(study.waves_safe_uplifted_but_overturned, 1, 2);
 }

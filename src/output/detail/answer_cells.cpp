@@ -47,7 +47,7 @@ std::string percentiles_text(LevelQuantiles const* at, double unit, double least
     auto const& median = at->quantiles.front().value;
     auto const& high = at->quantiles.back();
     if (std::isnan(high.value)) {  // of few waves
-        auto const first = text(std::isnan(median) ? at->least : median);
+        auto const first = text(at->least);
         auto const last = text(at->most);
         return (first == last ? last : first + " to " + last)
                + (at->unknown > 0 ? fmt::format(", {} not known", at->unknown) : std::string());
@@ -76,8 +76,10 @@ std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words) {
         return fmt::format("unknown: {} waves do not limit it from below", fit.waves);
     }
     if (!fit.hclpf()) {
-        std::string const missing = "unknown: beta_U of the body is not stated";
-        return words.low_point ? fmt::format("{}; 5 % point {}", missing, text(*fit.five_percent_point())) : missing;
+        auto const& five = fit.intervals().five_percent_point;
+        return words.low_point && five.lower > 0 ? fmt::format("unknown: needs beta_U; 5 % point {} (lower end {})",
+                                                               text(*fit.five_percent_point()), text(five.lower))
+                                                 : std::string("unknown: needs beta_U");
     }
     auto const stated = fit.beta_u > fit.beta_u_drawn
                             ? fmt::format("; by beta_U {:.3g}{}", fit.beta_u, words.beta_u_assumed ? ", assumed" : "")
@@ -91,12 +93,11 @@ std::string frequency_words(BodyFrequency const& f) {
         return ends.lower > 0 ? fmt::format("> {:.3g} a year", rounded_down(ends.lower)) : "not known: needs beta_U";
     }
     auto const mean = fmt::format("{:.3g} to {:.3g} a year", rounded_down(ends.lower), rounded_up(ends.upper));
-    return f.fractiles ? fmt::format("{}; at 95 % confidence {:.3g}", mean, rounded_up(f.fractiles->high)) : mean;
+    return f.fractiles ? fmt::format("{}; at 95 % confidence <= {:.3g}", mean, rounded_up(f.fractiles->most)) : mean;
 }
 
 std::string frequency_in_short(BodyFrequency const& f) {
-    return f.fractiles ? fmt::format("{:.3g} a year at 95 % confidence", rounded_up(f.fractiles->high))
-                       : frequency_words(f);
+    return f.fractiles ? fmt::format("<= {:.3g} a year", rounded_up(f.fractiles->most)) : frequency_words(f);
 }
 
 std::string probability_text(Stripe const& stripe, double confidence) {

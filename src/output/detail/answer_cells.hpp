@@ -24,7 +24,7 @@ struct HclpfWords {
 
 /// "3.8e-08 to 5.9e-08 a year"; "> 3.8e-08 a year" where beta_U, which raises it, is not known.
 [[nodiscard]] std::string frequency_words(BodyFrequency const& f);
-/// The one number of it that is safest: "5.9e-08 a year at 95 % confidence".
+/// The one number of it that is safest: "<= 5.9e-08 a year", at 95 % confidence.
 [[nodiscard]] std::string frequency_in_short(BodyFrequency const& f);
 
 }  // namespace overturn::output

@@ -156,10 +156,13 @@ std::string grid_text(std::int64_t waves) {
 }
 
 std::string few_records_text(std::int64_t records, std::int64_t recordings) {
-    return fmt::format(
-        "{} record{}{}: no probability, which needs {} or more", records, records == 1 ? "" : "s",
-        records == recordings ? "" : fmt::format(" of {} recording{}", recordings, recordings == 1 ? "" : "s"),
-        least_records);
+    auto const counted = [](std::int64_t count, char const* what) {
+        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+    };
+    return records == recordings
+               ? fmt::format("{}: no probability, which needs {} or more", counted(records, "record"), least_records)
+               : fmt::format("{} of {}: no probability, which needs {} recordings or more", counted(records, "record"),
+                             counted(recordings, "recording"), least_records);
 }
 
 std::string counts_text(SeenBound const& seen) {

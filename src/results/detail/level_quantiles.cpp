@@ -35,7 +35,7 @@ SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
 std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTrials const& trials, std::size_t body,
                                             double confidence) {
     std::vector<LevelQuantiles> list;
-    std::int64_t const group_size = spec.source->about().shared.most;
+    double const group_size = spec.source->about().shared.effect();
     auto const add = [&](LevelResponse response, char const* quantity, char const* units, double fallen) {
         auto const& levels = spec.levels.levels;
         auto by_level = trials.by_level(body, response);
@@ -59,7 +59,7 @@ std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTr
                 at.least = std::min(values.front(), fallen);
                 at.most = std::min(values.back(), fallen);
             }
-            auto const independent = (at.trials + at.unknown) / group_size;
+            auto const independent = SharedDraws::whole(static_cast<double>(at.trials + at.unknown) / group_size);
             std::ranges::transform(quantile_shares, at.quantiles.begin(), [&](double share) {
                 auto found = sample_quantile(values, at.unknown, share, confidence, group_size);
                 if (independent < fewest_for(share)) {

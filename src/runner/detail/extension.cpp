@@ -93,9 +93,30 @@ Json usable_aside(store::ShardFolder const& shards, CampaignInput const& input) 
     return found;
 }
 
+// What a finished file holds and a campaign does not ask for.
+std::vector<std::string> lost_rows(store::ResultsReader const& file, CampaignSpec const& before,
+                                   CampaignSpec const& now) {
+    std::vector<std::string> lost;
+    auto const there = plan_in(file, before).chosen_per_group();
+    if (there > now.wave_count) {
+        lost.push_back(fmt::format("waves.count is {}, {} waves are there", now.wave_count, there));
+    }
+    for (auto const& level : before.levels.levels) {
+        if (std::ranges::find(now.levels.levels, level.value, &Level::value) == now.levels.levels.end()) {
+            lost.push_back(fmt::format("level {}", before.levels.text(level.value)));
+        }
+    }
+    for (auto const& body : before.bodies) {
+        if (std::ranges::find(now.bodies, body.name, &BodySpec::name) == now.bodies.end()) {
+            lost.push_back(fmt::format("body {}", body.name));
+        }
+    }
+    return lost;
+}
+
 }  // namespace
 
-bool can_be_extended(std::filesystem::path const& output, CampaignInput const& input) {
+bool can_be_extended(std::filesystem::path const& output, CampaignInput const& input, bool may_shrink) {
     if (!std::filesystem::exists(output)) {
         return false;
     }
@@ -105,7 +126,12 @@ bool can_be_extended(std::filesystem::path const& output, CampaignInput const& i
              "{}: made by overturn {} with {} (rows of another program are not mixed with this one's). Start anew with "
              "another -o",
              output.string(), file.text("program_version"), file.text("library_versions"));
-    refuse_barred(output.string(), bars_between(input_of(file), input));
+    auto const before = input_of(file);
+    refuse_barred(output.string(), bars_between(before, input));
+    auto const lost = lost_rows(file, parse_campaign(before), parse_campaign(input));
+    validate(may_shrink || lost.empty(),
+             "{}: finished rows would be lost ({}). Undo that, or add --shrink if they are not wanted any more",
+             output.string(), fmt::join(lost, "; "));
     return true;
 }
 

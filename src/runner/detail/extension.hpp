@@ -16,8 +16,9 @@
 namespace overturn {
 
 /// Is there a finished file at `output`, of this campaign or of one whose rows this one can use?
-/// \throws InputError naming the keys that bar it, or the program and libraries if these are others
-[[nodiscard]] bool can_be_extended(std::filesystem::path const& output, CampaignInput const& input);
+/// \param may_shrink rows of the file may be left out \throws InputError naming the keys that bar it, the program and
+/// libraries if these are others, or what would be lost
+[[nodiscard]] bool can_be_extended(std::filesystem::path const& output, CampaignInput const& input, bool may_shrink);
 
 /// Can this campaign use the blocks of a run that was begun with another? \throws InputError likewise
 /// \return false where nothing but what moves no block differs

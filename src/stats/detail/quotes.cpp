@@ -65,8 +65,7 @@ Interval interval_of(FragilityPoint const& point, double confidence) {
     auto const passed = static_cast<std::int64_t>(point.overturned);
     auto const open = static_cast<std::int64_t>(point.undecided);
     auto const trials = static_cast<std::int64_t>(point.trials) + open;
-    return clopper_pearson_of_groups(passed, passed + open, trials, static_cast<std::int64_t>(point.group_size),
-                                     confidence);
+    return clopper_pearson_of_groups(passed, passed + open, trials, point.group_size, confidence);
 }
 
 QuotedProbability seen_at(Quote const& quote, FragilityFit const& fit, FragilityData const& data, double confidence) {
