@@ -81,7 +81,8 @@ void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& s
     if (!spec.measure->drifts) {
         return;
     }
-    if (auto const why = source.pgd_drift(); spec.measure == measure_named("pgd") && !why.empty()) {
+    // What this takes to know, a calibration of noise, only PGD is worth.
+    if (auto const why = spec.measure == measure_named("pgd") ? source.pgd_drift() : ""; !why.empty()) {
         levels.fail("measure", fmt::format("pgd of waves that drift ({}). Scale by pga or pgv", why));
     }
     for (std::int64_t wave = 0; wave < waves; ++wave) {
