@@ -10,6 +10,7 @@
 #include "campaign/typed_units.hpp"
 #include "core/print_note.hpp"
 #include "output/write_results.hpp"
+#include "parallel/rows_of_ranks.hpp"
 #include "results/analysis.hpp"
 #include "results/few_waves.hpp"
 #include "results/hazard_frequency.hpp"
@@ -208,6 +209,7 @@ MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator
     Plan const whole(spec);
     store::ShardFolder const shards(output, input.block_key());
     require_shared(shards, input.block_key(), comm);
+    spec.source->prepare(parallel::rows_of_ranks(comm));  // the file tells how waves were calibrated
     BlocksToMerge const parts{output, input, spec, whole, shards, comm};
     auto const merged = [&](std::function<std::vector<std::int64_t>()> const& blocks) {
         std::vector<std::string> segments;

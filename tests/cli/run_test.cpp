@@ -146,6 +146,9 @@ TEST_F(Run, RanksShareACalibration) {
         expect_same(alone, bytes(mpirun(ranks, command(name)), name), name.c_str());
     }
     EXPECT_EQ(execute(folder, mpirun(2, {"verify", "3.h5"})).code, 0);
+    auto const left = overturn(folder, joined(command("merged.h5"), {"--leave-blocks"}));
+    EXPECT_EQ(left.code, 0) << left.err;
+    expect_same(alone, bytes(mpirun(3, {"merge", "merged.h5"}), "merged.h5"), "merged.h5");
 }
 
 // R-1303: nor on there being far more ranks than cores, or than blocks.
