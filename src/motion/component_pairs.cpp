@@ -18,10 +18,7 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
 // A name around one of its words: "kobe_" and ".csv" of "NS".
-struct Around {
-    std::string before, after;
-    auto operator<=>(Around const&) const = default;
-};
+using Around = std::pair<std::string, std::string>;
 
 // Where a direction may stand: the last word before the extension (or its end, behind a number or small letters), the
 // extension, a folder. In between, a word says what the motion is of.
@@ -98,7 +95,7 @@ std::vector<std::pair<std::size_t, std::size_t>> component_pairs(std::span<std::
         auto const& [one, first] = *of.begin();
         auto const& [other, second] = *of.rbegin();
         // "x.csv" and "y.csv", "H1.csv" and "H2.csv" may be any two motions.
-        bool const alone = around.before.empty() && (one.size() < 2 || is_digit(one.back()));
+        bool const alone = around.first.empty() && (one.size() < 2 || is_digit(one.back()));
         if (!alone && are_square(one, other)) {
             pairs.emplace(std::min(first, second), std::max(first, second));
         }

@@ -56,7 +56,7 @@ std::string percentiles_text(LevelQuantiles const* at, double unit, double least
         return text(*high.upper);
     }
     auto const first = text(median);
-    auto const numbers = first.starts_with('<') && first == text(high.value) ? first : first + " / " + text(high.value);
+    auto numbers = first.starts_with('<') && first == text(high.value) ? first : first + " / " + text(high.value);
     if (high.value >= at->fallen) {
         return numbers;
     }
