@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <string_view>
 
+#include "core/digit.hpp"
 #include "motion/component_name.hpp"
 
 namespace overturn {
 namespace {
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; }
 
 // A name around one of its words: "kobe_" and ".csv" of "NS".

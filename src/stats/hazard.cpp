@@ -151,19 +151,19 @@ Interval annual_frequency_seen(HazardCurve const& hazard, std::span<FragilityPoi
     Interval bounds{0, hazard.points().back().annual_exceedance};
     double shown = 0;    // by the stripes so far
     double allowed = 0;  // up to the next stripe
-    double from = nothing_below;
+    auto last = passed_from(nothing_below);
     for (std::size_t i = 0; i < seen.size(); ++i) {
         double const at = std::exp(stripes[i].log_intensity);
         auto const passed = passed_from(at);
         bounds.lower += (seen[i].lower - shown) * (passed.annual + passed.beyond_least);
         shown = seen[i].lower;
         if (at > nothing_below) {
-            bounds.upper += (seen[i].upper - allowed) * passed_from(from).annual;
+            bounds.upper += (seen[i].upper - allowed) * last.annual;
             allowed = seen[i].upper;
-            from = at;
+            last = passed;
         }
     }
-    bounds.upper += (1 - allowed) * passed_from(from).annual;
+    bounds.upper += (1 - allowed) * last.annual;
     return bounds;
 }
 

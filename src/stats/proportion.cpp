@@ -6,6 +6,7 @@
 #include <gsl/gsl_randist.h>
 
 #include "core/error.hpp"
+#include "core/shared_draws.hpp"
 
 namespace overturn {
 namespace {
@@ -54,12 +55,10 @@ Interval clopper_pearson_of_groups(std::int64_t least, std::int64_t most, std::i
                                    double confidence) {
     OVERTURN_EXPECT(group_size >= 1 && least <= most);
     constexpr double rounding = 1e-9;
-    auto const whole = [&](double count) {
-        return static_cast<std::int64_t>(std::floor(count / group_size + rounding));
-    };
+    auto const whole = [&](std::int64_t count) { return SharedDraws::whole(static_cast<double>(count) / group_size); };
     auto const begun = static_cast<std::int64_t>(std::ceil(static_cast<double>(most) / group_size - rounding));
-    auto const groups = trials > 0 ? std::max<std::int64_t>(1, whole(static_cast<double>(trials))) : 0;
-    return {clopper_pearson(std::min(whole(static_cast<double>(least)), groups), groups, confidence).lower,
+    auto const groups = trials > 0 ? std::max<std::int64_t>(1, whole(trials)) : 0;
+    return {clopper_pearson(std::min(whole(least), groups), groups, confidence).lower,
             clopper_pearson(std::min(begun, groups), groups, confidence).upper};
 }
 

@@ -9,6 +9,8 @@
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_statistics_double.h>
 
+#include "core/shared_draws.hpp"
+
 namespace overturn {
 
 namespace {
@@ -105,10 +107,9 @@ SampleQuantile sample_quantile(std::span<double const> sorted, std::int64_t unpl
     SampleQuantile found{q, known == 0 ? std::numeric_limits<double>::quiet_NaN() : between(sorted, q), {}, {}};
     double const risk = (1 - confidence) / 2;
     // The upper end is the lower one of the mirrored sample. The unplaced lie where they move an end furthest.
-    auto const whole = [](double count) { return static_cast<std::int64_t>(count + 1e-9); };
     auto const rank = [&](double share) {  // of groups, then of the outermost in its group
-        auto const of_groups = lower_rank(whole(static_cast<double>(n) / group_size), share, risk);
-        return of_groups == 0 ? 0 : whole(group_size * static_cast<double>(of_groups - 1)) + 1;
+        auto const of_groups = lower_rank(SharedDraws::whole(static_cast<double>(n) / group_size), share, risk);
+        return of_groups == 0 ? 0 : SharedDraws::whole(group_size * static_cast<double>(of_groups - 1)) + 1;
     };
     auto const low = rank(q) - unplaced;
     auto const high = n + 1 - rank(1 - q);
