@@ -56,6 +56,8 @@ void check(FitOptions const& options) {
              "--design-basis beside a results file (its campaign names the level). Leave it out");
     validate(options.design_basis.empty() || !options.stripes.empty(),
              "--design-basis without --stripes (used with --stripes only). Leave it out");
+    validate(!options.waves || !options.stripes.empty(),
+             "--waves without --stripes (used with --stripes only). Leave it out");
     validate(options.measures.empty() || !options.file.empty(),
              "--measures without a results file (a table or a given curve has one measure). Fit a results file");
     validate(!options.interim || !options.file.empty(),
@@ -267,6 +269,8 @@ void add_fit(CommandLine& line) {
                "confidence level of all intervals; default: that of the campaign, or 0.95");
     verb.takes("--design-basis", options->design_basis,
                "with --stripes: show P at multiples of this amplitude, '0.3 g'");
+    verb.takes("--waves", options->waves,
+               "with --stripes, where no column names the waves: how many different ones the table has in all");
     verb.takes("--hazard", options->hazard,
                "hazard curve for annual frequencies: '<measure> [unit], annual_exceedance' (csv); default: that of the "
                "campaign");

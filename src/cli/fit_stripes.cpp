@@ -50,6 +50,32 @@ double design_basis_of(std::string const& text, StripeTable const& table) {
                                  text, table.amplitude, table.unit));
 }
 
+// Waves by their names; else as stated; else no more than the fullest level has, where levels have several trials each.
+FragilityData data_of(StripeTable const& table, FitOptions const& options) {
+    auto data = FragilityData::of_stripes(table.stripes);
+    if (!table.trials.empty()) {
+        validate(!options.waves, "--waves: the table names its waves (column '{}'). Leave it out", table.wave);
+        data.trials = table.trials;
+        data.waves_shared = table.waves < std::ssize(data.trials);
+        return data;
+    }
+    auto const most = std::ranges::max(table.stripes, {}, &Stripe::trials).trials;
+    std::int64_t trials = 0;
+    for (auto const& stripe : table.stripes) {
+        trials += stripe.trials;
+    }
+    validate(!options.waves || (*options.waves >= most && *options.waves <= trials),
+             "--waves: {} (the table has {} trials, {} of them at one level). State a number from {} to {}",
+             options.waves.value_or(0), trials, most, most, trials);
+    bool const alone = trials < 2 * std::ssize(table.stripes);
+    data.fewest_waves = options.waves.value_or(alone ? trials : most);
+    data.waves_shared = data.fewest_waves < trials;
+    data.waves_known = data.waves_shared ? WavesKnown::no
+                       : options.waves   ? WavesKnown::yes
+                                         : WavesKnown::taken_as_different;
+    return data;
+}
+
 }  // namespace
 
 int fit_stripes(FitOptions const& options) {
@@ -72,15 +98,7 @@ int fit_stripes(FitOptions const& options) {
             request.quotes.push_back({multiple * basis, multiple});
         }
     }
-    auto data = FragilityData::of_stripes(stripes);
-    // A table does not state whether its levels share their waves: two to four at each may be the same ones. Trials
-    // that are alone at their levels are of as many waves.
-    auto const most = std::ranges::max(stripes, {}, &Stripe::trials).trials;
-    std::int64_t trials = 0;
-    for (auto const& stripe : stripes) {
-        trials += stripe.trials;
-    }
-    data.few_waves = trials >= 2 * std::ssize(stripes) && most < least_waves ? most : 0;
+    auto const data = data_of(table, options);
     measured.fit = fit_fragility(data, request);
     measured.rank_area = rank_area(data.points);
     std::optional<HazardCurve> hazard;

@@ -16,6 +16,7 @@ namespace overturn::cli {
 struct FitOptions {
     std::string file;
     std::string stripes;
+    std::optional<std::int64_t> waves;  ///< of stripes: so many different ones
     std::string capacities;
     bool json = false;
     bool interim = false;              ///< of a run that is not complete

@@ -5,14 +5,18 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "cli/named_column.hpp"
 #include "cli/stripe_columns.hpp"
 #include "config/suggestion.hpp"
 #include "core/error.hpp"
+#include "core/shared_draws.hpp"
 #include "core/units.hpp"
 #include "motion/cell_rows.hpp"
 #include "motion/column_role.hpp"
+#include "motion/component_pairs.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn::cli {
@@ -47,6 +51,7 @@ class Reader {
         while (auto const cells = rows_.next()) {
             read_row(*cells);
         }
+        count_waves();
         for (auto const& [level, stripe] : single_) {
             stripes_.push_back(stripe);
         }
@@ -56,8 +61,8 @@ class Reader {
         std::sort(stripes_.begin(), stripes_.end(),
                   [](Stripe const& a, Stripe const& b) { return a.amplitude < b.amplitude; });
         auto read = intensity_text(rows_, file_, called_);
-        return {std::move(stripes_), std::move(called_), std::move(measure_), std::move(read.unit),
-                std::move(read.unread)};
+        return {std::move(stripes_), std::move(trials_),  waves_held_,          std::move(wave_column_),
+                std::move(called_),  std::move(measure_), std::move(read.unit), std::move(read.unread)};
     }
 
   private:
@@ -67,11 +72,7 @@ class Reader {
         }
         ++rows_read_;
         if (verdict_) {
-            double const level = positive(cells[*place_of(amplitude)]);
-            auto& stripe = single_[level];
-            stripe.amplitude = level;
-            ++stripe.trials;
-            stripe.overturned += fell(cells[*verdict_]) ? 1 : 0;
+            add_trial(positive(cells[*place_of(amplitude)]), fell(cells[*verdict_]), cells);
             return;
         }
         add({.amplitude = positive(cells[*place_of(amplitude)]),
@@ -79,6 +80,47 @@ class Reader {
              .overturned = count(cells[*place_of(overturned)]),
              .failed = place_of(failed) ? count(cells[*place_of(failed)]) : 0},
             cells);
+    }
+
+    void add_trial(double level, bool fell, std::vector<Cell> const& cells) {
+        auto& stripe = single_[level];
+        stripe.amplitude = level;
+        ++stripe.trials;
+        stripe.overturned += fell ? 1 : 0;
+        if (!waves_) {
+            return;
+        }
+        auto const& wave = cells[*waves_];
+        if (wave.text.empty()) {
+            rows_.fail(wave, "no name (trials of one wave are judged together). Name the wave");
+        }
+        auto const number = static_cast<std::int64_t>(wave_names_.size());
+        auto const [named, is_new] = numbers_.emplace(wave.text, number);
+        if (is_new) {
+            wave_names_.emplace_back(wave.text);
+        }
+        trials_.push_back({level, named->second, fell, named->second});
+    }
+
+    /// Trials of one recording share what was shaken, at their level too.
+    void count_waves() {
+        std::map<std::int64_t, std::int64_t> first;
+        for (auto const& [one, other] : component_pairs(wave_names_)) {
+            first[static_cast<std::int64_t>(other)] = static_cast<std::int64_t>(one);
+        }
+        std::map<double, std::vector<std::int64_t>> at_level;
+        std::set<std::int64_t> different;
+        for (auto& trial : trials_) {
+            if (auto const pair = first.find(trial.wave); pair != first.end()) {
+                trial.wave = pair->second;
+            }
+            at_level[trial.intensity].push_back(trial.wave);
+            different.insert(trial.wave);
+        }
+        waves_held_ = std::ssize(different);
+        for (auto& [level, waves] : at_level) {
+            single_[level].group_size = SharedDraws{.most = 1, .of = std::move(waves)}.effect();
+        }
     }
 
     /// 0, 1, 2, ... or 1, 2, 3, ...
@@ -107,6 +149,7 @@ class Reader {
             bool const verdict = column.unit.empty() && is_verdict(lowered(column.bare));
             if (stripe_field_of(column) == trials && trials_held_ != TrialsHeld::counts) {
                 check_are_labels(cell);
+                take_waves(cell, place);
             } else if (!stripe_field_of(column) && is_count_of_rows(cell.text)) {
                 counters_.push_back(place);
             } else if (verdict && !counts) {
@@ -145,6 +188,14 @@ class Reader {
             rows_.fail(cell, "a second column of verdicts (which one counts?). Remove one");
         }
         verdict_ = place;
+    }
+
+    void take_waves(Cell const& cell, std::size_t place) {
+        if (waves_) {
+            rows_.fail(cell, "a second column that names the waves (which one counts?). Remove one");
+        }
+        waves_ = place;
+        wave_column_ = cell.text;
     }
 
     void take_column(Cell const& cell, NamedColumn const& column, std::size_t at) {
@@ -228,6 +279,12 @@ class Reader {
     std::vector<Stripe> stripes_;
     std::optional<std::size_t> verdict_;  ///< where each row is a trial
     std::map<double, Stripe> single_;     ///< of such rows, by amplitude
+    std::optional<std::size_t> waves_;    ///< column of their waves' names
+    std::string wave_column_;
+    std::vector<std::string> wave_names_;
+    std::map<std::string, std::int64_t, std::less<>> numbers_;  ///< places of those names
+    std::vector<SingleTrial> trials_;
+    std::int64_t waves_held_ = 0;
     std::string called_ = names.front();
     std::string measure_;
 };

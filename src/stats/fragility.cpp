@@ -31,14 +31,14 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     fit.overturned = sum.overturned;
     // Stripes without any verdict are no points.
     fit.undecided = data.kind == FragilityData::Kind::stripes ? sum_of(data.open_points).undecided : sum.undecided;
-    fit.waves = data.trials.empty() ? data.few_waves : waves_of(data.trials);
+    fit.waves = data.trials.empty() ? data.fewest_waves : waves_of(data.trials);
+    fit.waves_known = data.waves_known;
     raise_if(fit, fit.undecided > 0, FragilityFlag::undecided_trials);
     raise_if(fit, data.waves_left_out, FragilityFlag::waves_left_out);
     raise_if(fit, fit.waves > 0 && fit.waves < waves_enough_to_resample, FragilityFlag::few_waves);
     using enum FragilityFit::Method;
-    fit.method = !data.waves_shared                         ? profile_likelihood
-                 : has(fit.flags, FragilityFlag::few_waves) ? widest
-                                                            : bootstrap_by_waves;
+    bool const few = has(fit.flags, FragilityFlag::few_waves) || data.waves_known == WavesKnown::no;
+    fit.method = !data.waves_shared ? profile_likelihood : few ? widest : bootstrap_by_waves;
     raise_if(fit, fit.overturned == 1 && fit.trials > 1, FragilityFlag::one_overturned);
     if (data.points.empty()) {
         return;
@@ -83,7 +83,7 @@ void add_betas(FragilityFit& fit, FragilityRequest const& request) {
 }
 
 void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest const& request) {
-    auto const attempt = fit_curve(data.points, data.trials, request);
+    auto const attempt = fit_curve(data.points, data.trials, data.fewest_waves, request);
     fit.state = attempt.state;
     if (!attempt.curve) {
         return;

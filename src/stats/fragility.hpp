@@ -45,6 +45,13 @@ using FragilityFlags = std::uint32_t;
 [[nodiscard]] constexpr FragilityFlags bit(FragilityFlag flag) { return 1U << static_cast<std::uint32_t>(flag); }
 [[nodiscard]] constexpr bool has(FragilityFlags flags, FragilityFlag flag) { return (flags & bit(flag)) != 0; }
 
+/// Is it known which trials are of one wave?
+enum class WavesKnown : std::uint8_t {
+    yes,
+    taken_as_different,  ///< each trial is taken as of a wave of its own
+    no,                  ///< all levels may have the same waves
+};
+
 /// The trials as stripes or one by one. With `trials` the bootstrap resamples their waves, without it every trial
 /// counts as independent.
 struct FragilityData {
@@ -56,7 +63,8 @@ struct FragilityData {
     std::vector<FragilityPoint> open_points;  ///< the same counted: only `undecided` is not 0
     bool waves_shared = false;                ///< one wave, or waves that share a draw, have several trials
     bool waves_left_out = false;              ///< `trials` are the first of more than are held
-    std::int64_t few_waves = 0;               ///< of stripes alone: so many independent waves may be all; 0: enough
+    WavesKnown waves_known = WavesKnown::yes;
+    std::int64_t fewest_waves = 0;  ///< where waves are not known: there are no fewer; 0: nothing is known of it
 
     [[nodiscard]] static FragilityData of_stripes(std::span<Stripe const> stripes);
     /// Single trials of a continuous measure. \param open those without a verdict; \param lost further ones, whose
@@ -149,7 +157,8 @@ struct FragilityFit {
     Passing passing = Passing::overturned;
     FragilityFlags flags = 0;
     double trials = 0, overturned = 0, undecided = 0;
-    std::int64_t waves = 0;          ///< distinct, a group as one; 0: not known
+    std::int64_t waves = 0;  ///< distinct, a group as one; the fewest where they are not known; 0: nothing is known
+    WavesKnown waves_known = WavesKnown::yes;
     double group_size = 1;           ///< waves that share what was drawn
     double lowest = 0, highest = 0;  ///< intensities that were tried: the curve is drawn solid between them
     double lowest_proportion = 0;    ///< of the lowest stripe (or tenth of the trials) in which anything overturned
@@ -162,7 +171,7 @@ struct FragilityFit {
     std::optional<Intervals> profile, bootstrap;  ///< of the decided trials
     std::optional<Intervals> ends;  ///< to be signed: of `method`, with undecided trials as either extreme
     /// Trials that share waves are resampled with them. Of few waves that gives short intervals: the profile
-    /// likelihood, and so many exact capacities, widen them.
+    /// likelihood, and so many exact capacities, widen them; likewise where the waves are not known.
     enum class Method { profile_likelihood, bootstrap_by_waves, widest };
     Method method = Method::profile_likelihood;
     std::size_t replicates = 0, replicates_without_curve = 0;

@@ -135,7 +135,7 @@ TEST_F(Fit, SingleTrialsAreRead) {
 TEST_F(Fit, TableOfKnownAnswer) {
     auto const fit =
         table("# three stripes\noverturned, amplitude ,trials\n\n43,2,54  # the highest\n2,1,54\n25,1.5,54\n",
-              {"--design-basis", "1"});
+              {"--design-basis", "1", "--waves", "162"});
     auto const& curve = fit["fragility"][0];
 
     EXPECT_EQ(curve["identifiable"], true);
@@ -169,7 +169,8 @@ TEST_F(Fit, TablesAsOtherProgramsWriteThem) {
     EXPECT_EQ(table("\"amplitude\",\"trials\",\"overturned\"\n\"1\",54,2\n1.5,54,25\n2,54,43\n"), plain);
 }
 
-// three trials at each level may be of the same three waves: counts, and no curve.
+// three trials at each level may be of the same three waves: counts, and no curve, unless they are stated to
+// differ.
 TEST_F(Fit, OfFewTrialsALevelGiveNoCurve) {
     auto const levels = [](int trials, int levels) {
         std::string text = "amplitude,trials,overturned\n";
@@ -183,6 +184,7 @@ TEST_F(Fit, OfFewTrialsALevelGiveNoCurve) {
     EXPECT_EQ(three["state"], "few-waves");
     EXPECT_TRUE(three["hclpf"].is_null());
     EXPECT_EQ(table(levels(5, 8), {"--beta-u", "0.3"})["fragility"][0]["state"], "fitted");
+    EXPECT_EQ(table(levels(3, 8), {"--waves", "24"})["fragility"][0]["state"], "fitted");
     // A trial at each of many amplitudes is one of many waves.
     std::string single = "amplitude,trials,overturned\n";
     for (int i = 1; i <= 40; ++i) {
@@ -219,7 +221,7 @@ TEST_F(Fit, TheCurveComesBeforeItsTable) {
     auto const full = overturn(folder, {"fit", "--stripes", "t.csv", "--full"}).out;
 
     EXPECT_LT(text.find("fragility"), text.find("pga [g] of 0.5 to 1.48, 50 in all: --full shows each")) << text;
-    EXPECT_LT(std::count(text.begin(), text.end(), '\n'), 10) << text;
+    EXPECT_LE(std::count(text.begin(), text.end(), '\n'), 10) << text;
     EXPECT_LT(full.find("fragility"), full.find("trials  overturned")) << full;
     EXPECT_GT(std::count(full.begin(), full.end(), '\n'), 50) << full;
 }

@@ -1,6 +1,9 @@
 // Requirement R-702: a table of single trials is distinguished from one of counts by its rows where a name may be
 // either, and what counts those that stood is no count of those that fell.
+#include <cmath>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -58,6 +61,67 @@ TEST_F(TrialsColumn, CountsStayCounts) {
     refuse("records,pga [g],overturned\n2,0.5,0\n1,0.7,1\n3,0.9,1\n", "it numbers the rows");
     refuse("trial,pga [g],overturned\n40,0.5,0\n20,0.7,1\n40,0.9,1\n", "it numbers the rows");
     refuse("waves,pga [g],overturned\n1,0.5,0\n2,0.7,1\n3,0.9,1\n", "it numbers the rows");
+}
+
+// Of four waves at six levels, each wave falls from a level of its own on. \param called with the wave's number
+std::string of_shared_waves(std::string const& header, auto const& called, int waves = 8) {
+    std::string rows = header;
+    for (int wave = 0; wave < waves; ++wave) {
+        for (int level = 0; level < 6; ++level) {
+            rows += fmt::format("{},{:g},{}\n", called(wave), 0.5 + 0.1 * level, level > (3 * wave) % 5 ? 1 : 0);
+        }
+    }
+    return rows;
+}
+
+// trials of one wave are judged together by its name: intervals of so many waves, and of fewer than five none.
+TEST_F(TrialsColumn, TrialsOfOneWaveAreJudgedTogether) {
+    auto const by_number = [](int wave) { return fmt::format("W{}", wave); };
+    auto const curve = [&](std::string const& text) { return json::parse(fit(text).out)["fragility"][0]; };
+    auto const eight = curve(of_shared_waves("record,pga [g],fell\n", by_number));
+    EXPECT_EQ(eight["waves"], 8);
+    EXPECT_EQ(eight["interval_method"], "widest");
+    EXPECT_EQ(curve(of_shared_waves("record,pga [g],fell\n", by_number, 4))["state"], "few-waves");
+    auto const by_direction = [](int wave) { return fmt::format("st{}_{}", wave / 2, wave % 2 == 0 ? "NS" : "EW"); };
+    EXPECT_EQ(curve(of_shared_waves("record,pga [g],fell\n", by_direction))["state"], "few-waves")
+        << "eight components of four recordings";
+    auto const halves = json::parse(fit(of_shared_waves("record,pga [g],fell\n", by_direction, 16)).out);
+    EXPECT_EQ(halves["fragility"][0]["waves"], 8);
+    auto const& stripe = halves["stripes"][2];
+    EXPECT_EQ(stripe["trials"], 16);
+    auto const counted = stripes("pga [g],trials,overturned\n0.7,16," + stripe["overturned"].dump() + "\n");
+    EXPECT_LT(stripe["lower"], counted[0]["lower"]) << "two components of one recording are one sample";
+    EXPECT_GT(stripe["upper"], counted[0]["upper"]);
+    refuse("record,pga [g],fell\nA,0.5,0\n,0.7,1\nB,0.9,1\n", "t.csv:3:1: no name");
+    refuse("record,wave,pga [g],fell\nA,1,0.5,0\nB,2,0.7,1\n", "a second column that names the waves");
+}
+
+// where nobody names the waves all levels may have the same ones, unless their number is stated.
+TEST_F(TrialsColumn, WavesWithoutANameMayBeTheSame) {
+    std::string const counts = "pga [g],trials,overturned\n0.6,40,2\n0.8,40,14\n1.0,40,27\n1.3,40,37\n";
+    auto const curve = [&](std::vector<std::string> further) {
+        return json::parse(fit(counts, std::move(further)).out)["fragility"][0];
+    };
+    auto const open = curve({});
+    auto const different = curve({"--waves", "160"});
+    EXPECT_EQ(different["interval_method"], "profile-likelihood");
+    EXPECT_EQ(open["interval_method"], "widest");
+    EXPECT_TRUE(open["waves"].is_null()) << "not known";
+    constexpr double t_of_39 = 2.0226909;
+    double const half = t_of_39 * open["beta"].get<double>() / std::sqrt(39.0);
+    EXPECT_NEAR(std::log(open["median_upper"].get<double>() / open["median"].get<double>()), half, 1e-6)
+        << "of 40 exact capacities";
+    EXPECT_LT(open["five_percent_point_lower"], different["five_percent_point_lower"]);
+    EXPECT_NE(overturn(folder, {"fit", "--stripes", "t.csv"}).out.find("may have the same 40"), std::string::npos);
+
+    refuse(counts, "40 of them at one level", {"--waves", "39"});
+    refuse(counts, "160 trials", {"--waves", "161"});
+    refuse(of_shared_waves("record,pga [g],fell\n", [](int wave) { return wave; }), "names its waves",
+           {"--waves", "48"});
+    EXPECT_NE(overturn(folder, {"fit", "--median", "1 g", "--beta", "0.4", "--waves", "5"}).err.find("--stripes only"),
+              std::string::npos);
+    auto const single = fit("pga [g],fell\n0.6,0\n0.7,1\n0.8,0\n0.9,1\n1.0,0\n1.1,1\n");
+    EXPECT_NE(json::parse(single.out)["warnings"].dump().find("counts as of another one"), std::string::npos);
 }
 
 TEST_F(TrialsColumn, ThoseThatStoodAreNotThoseThatFell) {

@@ -46,10 +46,11 @@ def table(rng, levels, trials):
     return "\n".join(lines) + "\n"
 
 
-def flags_of(program, text, folder):
+def flags_of(program, text, trials, folder):
     path = folder / "t.csv"
     path.write_text(text)
-    answer = subprocess.run([program, "fit", "--stripes", path, "--json"], capture_output=True, check=True, text=True)
+    answer = subprocess.run([program, "fit", "--stripes", path, "--waves", str(trials), "--json"],
+                            capture_output=True, check=True, text=True)
     return set(json.loads(answer.stdout)["fragility"][0]["flags"])
 
 
@@ -64,7 +65,7 @@ def main():
         for design in options.designs.split(","):
             levels, trials = map(int, design.split("x"))
             rng = random.Random(f"{design}")
-            seen = [flags_of(options.program, table(rng, levels, trials), pathlib.Path(name))
+            seen = [flags_of(options.program, table(rng, levels, trials), levels * trials, pathlib.Path(name))
                     for _ in range(options.tables)]
             poor, falls = (sum(flag in flags for flags in seen) for flag in ("poor-fit", "non-monotone"))
             either = sum(bool(flags & {"poor-fit", "non-monotone"}) for flags in seen)

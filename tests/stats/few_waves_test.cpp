@@ -5,8 +5,10 @@
 #include <vector>
 
 #include <gsl/gsl_cdf.h>
+#include <gsl/gsl_randist.h>
 #include <gtest/gtest.h>
 
+#include "core/random_stream.hpp"
 #include "stats/bootstrap.hpp"
 #include "stats/detail/few_capacities.hpp"
 #include "stats/fragility.hpp"
@@ -81,6 +83,41 @@ TEST(FewWaves, HclpfThatNothingLimitsIsNotKnown) {
     fit.ends->hclpf = Interval{0, 1};
     EXPECT_FALSE(fit.hclpf().has_value());
     EXPECT_FALSE(fit.one_percent_point().has_value());
+}
+
+// Forty capacities at 15 levels are 40 samples and no 600. The same shares of independent trials would be.
+TEST(FewWaves, IntervalsHoldWhereAllLevelsMayHaveTheSameWaves) {
+    constexpr int waves = 40, campaigns = 150;
+    constexpr double beta = 0.4;
+    int median = 0, five_percent = 0, alone = 0;
+    for (int campaign = 0; campaign < campaigns; ++campaign) {
+        std::vector<Stripe> stripes;
+        for (int level = 0; level < 15; ++level) {
+            stripes.push_back({.amplitude = 0.3 + 0.1 * level, .trials = waves});
+        }
+        for (std::uint64_t wave = 0; wave < waves; ++wave) {
+            RandomStream stream(97 + campaign, wave, Purpose::bootstrap);
+            double const capacity = std::exp(gsl_ran_gaussian(stream.gsl(), beta));
+            for (auto& stripe : stripes) {
+                stripe.overturned += capacity <= stripe.amplitude ? 1 : 0;
+            }
+        }
+        auto data = FragilityData::of_stripes(stripes);
+        data.waves_shared = true;
+        data.waves_known = WavesKnown::no;
+        data.fewest_waves = waves;
+        auto const fit = fit_fragility(data, {});
+        ASSERT_TRUE(fit.identifiable());
+        auto const holds = [](Interval const& interval, double value) {
+            return interval.lower <= value && value <= interval.upper ? 1 : 0;
+        };
+        median += holds(fit.intervals().median, 1);
+        alone += holds(fit.profile->median, 1);
+        five_percent += holds(fit.intervals().five_percent_point, std::exp(-1.645 * beta));
+    }
+    EXPECT_GE(median, 0.9 * campaigns);
+    EXPECT_GE(five_percent, 0.9 * campaigns);
+    EXPECT_LT(alone, 0.8 * campaigns) << "the control: taken as independent";
 }
 
 // Hesterberg (2015): Student's t for the normal quantile, and the scatter that resampling loses.

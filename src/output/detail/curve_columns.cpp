@@ -84,7 +84,10 @@ void add_trial_columns(TableOf<Curve>& table, Passing passing) {
         .add("undecided", "1", "further trials without a verdict",
              [](Curve const& curve) { return curve.fit.undecided; })
         .add("waves", "1", "independent waves; NaN: not known",
-             [](Curve const& curve) { return positive(static_cast<double>(curve.fit.waves)); })
+             [](Curve const& curve) {
+                 bool const known = curve.fit.waves_known != WavesKnown::no;
+                 return positive(known ? static_cast<double>(curve.fit.waves) : 0);
+             })
         .add("lowest", unit_of_row(), "lowest intensity of the trials",
              [](Curve const& curve) { return curve.fit.trials > 0 ? std::optional(curve.fit.lowest) : std::nullopt; })
         .add("highest", unit_of_row(), "highest intensity of the trials",

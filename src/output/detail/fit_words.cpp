@@ -149,6 +149,16 @@ std::string doubtful_text(FragilityFit const& fit, IntensityUnit const& unit, do
     return text + fmt::format(" ({:g} %)", 100 * confidence);
 }
 
+// Where nobody says which trials are of one wave.
+std::string waves_text(FragilityFit const& fit) {
+    return fit.waves_known == WavesKnown::no
+               ? fmt::format(
+                   "the waves are not named: all levels may have the same {}. The intervals are widened for "
+                   "that. Add a column 'wave', or state how many different waves there are (--waves)",
+                   fit.waves)
+               : "the waves are not named: each trial counts as of another one. If not, add a column 'wave'";
+}
+
 }  // namespace
 
 std::string grid_text(std::int64_t waves) {
@@ -208,6 +218,9 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
         add_if(FragilityFlag::few_waves,
                fmt::format("only {} {}{}", fit.waves, fit.group_size > 1 ? "groups of waves" : "waves",
                            fit.method == FragilityFit::Method::widest ? ": the intervals are widened for so few" : ""));
+    }
+    if (fit.waves_known != WavesKnown::yes && fit.trials > 0) {
+        texts.push_back(waves_text(fit));
     }
     add_if(FragilityFlag::waves_left_out,
            fmt::format("curves and bootstrap use the first {} waves (2 million trials)", fit.waves));

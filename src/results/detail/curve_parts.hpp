@@ -11,14 +11,14 @@ namespace overturn {
 template <class Bytes, class Fit>
 requires std::is_same_v<std::remove_const_t<Fit>, FragilityFit>
 void each_part(Bytes& bytes, Fit& fit) {
-    auto& [state, passing, flags, trials, overturned, undecided, waves, group_size, lowest, highest, lowest_proportion,
-           line, profile, bootstrap, ends, method, replicates, replicates_without_curve, refits, extreme_refits,
-           goodness, monotone, isotonic, isotonic_median, penalised, bound, pooled, beta_u_known, beta_u, beta_u_drawn,
-           beta_u_stated, drawn, beside_five_percent, quotes, band] = fit;
-    bytes(state, passing, flags, trials, overturned, undecided, waves, group_size, lowest, highest, lowest_proportion,
-          line, profile, bootstrap, ends, method, replicates, replicates_without_curve, refits, extreme_refits,
-          goodness, monotone, isotonic, isotonic_median, penalised, bound, pooled, beta_u_known, beta_u, beta_u_drawn,
-          beta_u_stated, drawn, beside_five_percent, quotes, band);
+    auto& [state, passing, flags, trials, overturned, undecided, waves, waves_known, group_size, lowest, highest,
+           lowest_proportion, line, profile, bootstrap, ends, method, replicates, replicates_without_curve, refits,
+           extreme_refits, goodness, monotone, isotonic, isotonic_median, penalised, bound, pooled, beta_u_known,
+           beta_u, beta_u_drawn, beta_u_stated, drawn, beside_five_percent, quotes, band] = fit;
+    bytes(state, passing, flags, trials, overturned, undecided, waves, waves_known, group_size, lowest, highest,
+          lowest_proportion, line, profile, bootstrap, ends, method, replicates, replicates_without_curve, refits,
+          extreme_refits, goodness, monotone, isotonic, isotonic_median, penalised, bound, pooled, beta_u_known, beta_u,
+          beta_u_drawn, beta_u_stated, drawn, beside_five_percent, quotes, band);
 }
 
 template <class Bytes, class Split>

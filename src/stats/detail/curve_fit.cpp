@@ -134,7 +134,7 @@ Interval CurveFit::probability(double intensity, FragilityFit::Method method) co
 }
 
 CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleTrial const> trials,
-                       FragilityRequest const& request) {
+                       std::int64_t fewest_waves, FragilityRequest const& request) {
     auto const line = fit_probit(points);
     if (!line) {
         return {FragilityState::not_converged, std::nullopt};
@@ -148,13 +148,13 @@ CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleT
     }
     auto refits = resample(points, trials, *line, request);
     double const five_percent = gsl_cdf_ugaussian_P(-hclpf_score);
-    auto const waves = waves_of(trials);
+    auto const waves = trials.empty() ? fewest_waves : waves_of(trials);
     double const resampled = trials.empty() ? request.confidence : resampled_confidence(request.confidence, waves);
     CurveFit fit{*line, profile, std::move(refits), {}, {}, {}, {}, resampled};
     fit.profile = {profile.intensity(0.5), profile.beta(), profile.intensity(five_percent), std::nullopt};
     fit.bootstrap = {fit.refits.intensity(0.5, resampled), fit.refits.beta(resampled),
                      fit.refits.intensity(five_percent, resampled), std::nullopt};
-    if (waves > 1 && waves < waves_enough_to_resample) {
+    if (waves > 1 && (waves < waves_enough_to_resample || trials.empty())) {
         fit.few.emplace(*line, waves, request.confidence);
         fit.of_few = {fit.few->median(), fit.few->beta(), fit.few->intensity(five_percent), std::nullopt};
     }
@@ -169,7 +169,7 @@ UndecidedExtremes weigh_undecided(FragilityData const& data, CurveFit const& dec
     for (bool const fallen : {false, true}) {
         auto const points = with_undecided(data, fallen);
         auto const attempt = state_of(points) == FragilityState::fitted
-                                 ? fit_curve(points, with_open_trials(data, fallen), request)
+                                 ? fit_curve(points, with_open_trials(data, fallen), data.fewest_waves, request)
                                  : CurveAttempt{};
         widen(extremes.ends, attempt.curve ? attempt.curve->ends(method) : all_open);
         extremes.refits.push_back(attempt.curve ? attempt.curve->refits.replicates() : std::vector<Replicate>{});

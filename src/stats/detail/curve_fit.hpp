@@ -17,7 +17,7 @@ struct CurveFit {
     ProfileLikelihood likelihood;  ///< of the points that were fitted, which outlive it
     Bootstrap refits;
     FragilityFit::Intervals profile, bootstrap;
-    /// By so many exact capacities, where waves are few.
+    /// By so many exact capacities, where waves are few or not known.
     std::optional<FewCapacities> few = {};
     FragilityFit::Intervals of_few = {};
     double resampled_confidence = 0.95;  ///< at which resamples are read for the stated one (stats/bootstrap.hpp)
@@ -34,9 +34,10 @@ struct CurveAttempt {
     std::optional<CurveFit> curve;
 };
 
-/// \param trials the same one by one, or none: every trial then counts as independent \pre they overlap (state_of)
+/// \param trials the same one by one, or none: every trial then counts as independent \param fewest_waves of them,
+/// where there are none; 0: not known \pre they overlap (state_of)
 [[nodiscard]] CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleTrial const> trials,
-                                     FragilityRequest const& request);
+                                     std::int64_t fewest_waves, FragilityRequest const& request);
 
 /// Results that hold whatever the undecided trials would have done.
 struct UndecidedExtremes {
