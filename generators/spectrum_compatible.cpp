@@ -112,6 +112,7 @@ void read_seeds(config::Table const& waves, InputFiles& files, CompatibleRequest
     auto const table = waves.child(compatible_keys["seed"]);
     auto const records = make_records(table, files);
     table.finish();
+    request.seeds_shared = records->about().shared;
     std::size_t longest = 0;
     for (std::uint64_t i = 0; i < records->about().available.value_or(0); ++i) {
         auto made = records->make(0, i);

@@ -96,6 +96,7 @@ struct WaveDescription {
     std::vector<MeasuredWave> measured = {};   ///< each wave, where they were measured
     /// The measured motion that the match of each wave began with, where one did; the source's own.
     std::span<GroundMotion const> began_with = {};
+    std::span<std::string const> began_with_names = {};  ///< of these
 };
 
 /// A source of numbered waves. make is pure: the same wave alone or in a crowd, from any thread.

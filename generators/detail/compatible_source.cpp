@@ -47,14 +47,21 @@ SpectrumCompatible::SpectrumCompatible(CompatibleRequest request, std::vector<Fu
               .draws_events = variability_ && variability_->parted(),
               .stated_sigma = stated_sigma(),
               .of_one_spectrum = !variability_,
-              .shared = {variability_ ? static_cast<std::int64_t>(variability_->input().per_target
-                                                                  * variability_->input().targets_per_event)
-                                      : 1},
+              .shared = shared_of(request.seeds_shared),
               // What lies beyond the target's own ends is compared with nothing that anybody stated.
               .compared_periods =
                   ComparedPeriods{target.first_period_s(), std::min(request.input.longest_s, target.last_period_s())},
               .target_pga = target.pga(),
-              .began_with = seeds_});
+              .began_with = seeds_,
+              .began_with_names = seed_labels_});
+}
+
+// A drawn target, and a recording of which seeds are components, are shared.
+SharedDraws SpectrumCompatible::shared_of(SharedDraws const& seeds) const {
+    SharedDraws const targets{variability_ ? static_cast<std::int64_t>(variability_->input().per_target
+                                                                       * variability_->input().targets_per_event)
+                                           : 1};
+    return seeds.most == 1 ? targets : seeds.joined(targets, std::ssize(seeds_));
 }
 
 std::string SpectrumCompatible::summary(Median median) const {

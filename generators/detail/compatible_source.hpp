@@ -40,6 +40,7 @@ struct CompatibleRequest {
     std::optional<TargetVariability> variability = {};
     std::vector<GroundMotion> seeds = {};
     std::vector<std::string> seed_labels = {};
+    SharedDraws seeds_shared = {};  ///< seeds that are components of one recording
 };
 
 class SpectrumCompatible : public WaveSource {
@@ -76,6 +77,7 @@ class SpectrumCompatible : public WaveSource {
     [[nodiscard]] std::string summary(Median median) const;
     [[nodiscard]] std::string variability() const;
     [[nodiscard]] std::optional<StatedSigma> stated_sigma() const;
+    [[nodiscard]] SharedDraws shared_of(SharedDraws const& seeds) const;
     [[nodiscard]] GeneratedWave make(std::uint64_t seed, std::uint64_t wave, Judging judging) const;
     [[nodiscard]] static SpectrumMatcher::Component drawn(Part const& part, SpectrumMatcher const& matcher,
                                                           GroundMotion const& before, std::uint64_t seed,

@@ -175,7 +175,11 @@ std::string warning_of_shared_recordings(WaveSource const& source) {
         ++second;
     }
     auto const first = std::ranges::find(shared.of, shared(second)) - shared.of.begin();
-    auto const name = [&](std::int64_t wave) { return source.about().measured[static_cast<std::size_t>(wave)].name; };
+    auto const name = [&](std::int64_t wave) {
+        auto const at = static_cast<std::size_t>(wave);
+        auto const& about = source.about();
+        return about.measured.empty() ? about.began_with_names[at] : about.measured[at].name;
+    };
     return fmt::format(
         "{} are components of one recording: {} rows, {} recordings. They are resampled together, and {:.3g} "
         "rows count as one in intervals. Keep one row of each. Are they of different recordings, "

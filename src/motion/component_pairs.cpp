@@ -19,10 +19,42 @@ bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; 
 // A name around one of its words: "kobe_" and ".csv" of "NS".
 using Around = std::pair<std::string, std::string>;
 
-// Where a direction may stand: the last word before the extension (or its end, behind a number or small letters), the
-// extension, a folder. In between, a word says what the motion is of.
-std::vector<std::pair<std::size_t, std::size_t>> places_of(std::string_view name) {
-    std::vector<std::pair<std::size_t, std::size_t>> places;
+// A part of a name: where it begins, and its length.
+using Part = std::pair<std::size_t, std::size_t>;
+
+// The last word before `end`, not before `from`.
+Part word_before(std::string_view name, std::size_t from, std::size_t end) {
+    while (end > from && !is_word(name[end - 1])) {
+        --end;
+    }
+    auto begin = end;
+    while (begin > from && is_word(name[begin - 1])) {
+        --begin;
+    }
+    return {begin, end - begin};
+}
+
+// A word and its end, behind a number or small letters: "TCU068N", "kobeNS", "KJM000", "1x", "sx".
+void add_word(std::vector<Part>& places, std::string_view name, Part const& word) {
+    auto const [begin, size] = word;
+    places.push_back(word);
+    for (std::size_t length = 1; length <= 3 && length < size; ++length) {
+        auto const at = begin + size - length;
+        bool const azimuth = length == 3 && is_digit(name[at]) && is_digit(name[at + 1]) && is_digit(name[at + 2])
+                             && !is_digit(name[at - 1]);
+        bool const letters = length < 3 && std::isupper(static_cast<unsigned char>(name[at])) != 0
+                             && std::isupper(static_cast<unsigned char>(name[at - 1])) == 0;
+        bool const axis = length == 1 && (name[at] == 'x' || name[at] == 'y') && (size == 2 || is_digit(name[at - 1]));
+        if (azimuth || letters || axis) {
+            places.emplace_back(at, length);
+        }
+    }
+}
+
+// Where a direction may stand: the last word before the extension, that before a number, the extension, a folder. In
+// between, a word says what the motion is of.
+std::vector<Part> places_of(std::string_view name) {
+    std::vector<Part> places;
     auto const file = name.rfind('/') == std::string_view::npos ? 0 : name.rfind('/') + 1;
     for (std::size_t folder = 0; folder < file;) {
         auto const end = name.find('/', folder);
@@ -34,25 +66,10 @@ std::vector<std::pair<std::size_t, std::size_t>> places_of(std::string_view name
     if (dot + 1 < name.size()) {
         places.emplace_back(dot + 1, name.size() - dot - 1);
     }
-    auto end = dot;
-    while (end > file && !is_word(name[end - 1])) {
-        --end;
-    }
-    auto begin = end;
-    while (begin > file && is_word(name[begin - 1])) {
-        --begin;
-    }
-    places.emplace_back(begin, end - begin);
-    for (std::size_t const length : {1U, 2U, 3U}) {  // "TCU068N", "kobeNS", "KJM000"
-        auto const at = end - length;
-        bool const fits = end - begin > length;
-        bool const azimuth = length == 3 && fits && is_digit(name[at]) && is_digit(name[at + 1])
-                             && is_digit(name[at + 2]) && !is_digit(name[at - 1]);
-        bool const letters = length < 3 && fits && std::isupper(static_cast<unsigned char>(name[at])) != 0
-                             && std::isupper(static_cast<unsigned char>(name[at - 1])) == 0;
-        if (azimuth || letters) {
-            places.emplace_back(at, length);
-        }
+    auto const last = word_before(name, file, dot);
+    add_word(places, name, last);
+    if (std::ranges::all_of(name.substr(last.first, last.second), is_digit)) {  // "hx_1"
+        add_word(places, name, word_before(name, file, last.first));
     }
     return places;
 }
@@ -93,8 +110,9 @@ std::vector<std::pair<std::size_t, std::size_t>> component_pairs(std::span<std::
         }
         auto const& [one, first] = *of.begin();
         auto const& [other, second] = *of.rbegin();
-        // "x.csv" and "y.csv", "H1.csv" and "H2.csv" may be any two motions.
-        bool const alone = around.first.empty() && (one.size() < 2 || is_digit(one.back()));
+        // "x.csv" and "y.csv", "H1.csv" and "H2.csv" may be any two motions; "x_1.csv" and "y_1.csv" are not.
+        bool const no_more = around.second.empty() || around.second.front() == '.';
+        bool const alone = around.first.empty() && no_more && (one.size() < 2 || is_digit(one.back()));
         if (!alone && are_square(one, other)) {
             pairs.emplace(std::min(first, second), std::max(first, second));
         }

@@ -49,6 +49,7 @@ TEST(Records, ComponentsOfOneRecordingAreNoTwoSamples) {
         return source_of(fmt::format("source='records'\nfiles=[{}]\nunit='gal'\n", list), contents)->about();
     };
     using Numbers = std::vector<std::int64_t>;
+    using Names = std::initializer_list<char const*>;
     auto const about = named({"kobe_NS.csv", "taft.csv", "kobe_EW.csv"});
     EXPECT_EQ(about.shared.of, (Numbers{0, 1, 0}));
     EXPECT_EQ(about.shared.most, 2);
@@ -65,8 +66,14 @@ TEST(Records, ComponentsOfOneRecordingAreNoTwoSamples) {
     EXPECT_EQ(
         named({"hachinohe_000.csv", "hachinohe_090.csv", "a_H1.csv", "a_H2.csv", "b (NS).csv", "b (EW).csv"}).shared.of,
         (Numbers{0, 0, 1, 1, 2, 2}));
+    for (auto const& two : {Names{"hx_1.csv", "hy_1.csv", "hx_2.csv"},
+                            {"sx-1.csv", "sy-1.csv", "sx-2.csv"},
+                            {"x_1.csv", "y_1.csv", "x_2.csv"},
+                            {"wave1x.csv", "wave1y.csv", "wave2x.csv"},
+                            {"kobe_NS_1.csv", "kobe_EW_1.csv", "kobe_NS_2.csv"}}) {
+        EXPECT_EQ(named(two).shared.of, (Numbers{0, 0, 1})) << *two.begin();
+    }
     // Numbers count motions, letters are names, a word amid others says what it is of, and east is no pair of west.
-    using Names = std::initializer_list<char const*>;
     for (auto const& names : {Names{"m-1.csv", "m-2.csv"},
                               {"x.csv", "y.csv"},
                               {"kobe.csv", "taft.csv"},

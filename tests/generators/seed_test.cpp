@@ -68,6 +68,29 @@ TEST(Seed, MatchKeepsThePhasesOfTheRecord) {
     EXPECT_LT(std::sqrt(turned / weight), 0.02);  // of 1.8 if they were drawn anew
 }
 
+// matches of two components of one recording are one sample, and so is what shares a drawn target.
+TEST(Seed, ComponentsOfOneRecordingAreNoTwoSamples) {
+    auto const one = record();
+    std::map<std::string, std::string> contents;
+    std::string list;
+    for (std::string const name : {"k_NS.csv", "taft.csv", "b.csv", "k_EW.csv"}) {
+        auto other = one;
+        other[100 + 10 * contents.size()] += 0.1;
+        contents[name] = column(other);
+        list += "'" + name + "',";
+    }
+    auto const target = "[target]\nspectrum='mlit-ch1'\nlongest=5\n[seed]\nunit='m/s2'\nfiles=[" + list + "]\n";
+    using Numbers = std::vector<std::int64_t>;
+    auto const matched = testing::source_of(source_key + target, contents);
+    EXPECT_EQ(matched->about().shared.of, (Numbers{0, 1, 2, 0}));
+    EXPECT_EQ(matched->about().began_with_names.back().substr(0, 4), "k_EW");
+    auto const varied = testing::source_of(
+        source_key + target + "[variability]\ncorrelation='none'\nsigma=0.3\nper_target=2\n", contents);
+    EXPECT_EQ(varied->about().shared.of, (Numbers{0, 0, 0, 0})) << "0 and 3 by the recording, 0 and 1, 2 and 3 by it";
+    EXPECT_EQ(varied->about().shared.most, 4);
+    EXPECT_TRUE(testing::source_of(keys, files())->about().shared.of.empty());
+}
+
 //
 // matched to its own spectrum up to 5 s, a seed keeps what it has at 7 s: Sa there, PGV, which is most of that.
 TEST(Seed, SlowShakingBeyondTheMatchIsKept) {
