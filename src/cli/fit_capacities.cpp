@@ -28,7 +28,8 @@ std::int64_t not_reached(CapacityTable const& table) {
 
 std::string head_of(CapacityTable const& table) {
     auto const unit = IntensityUnit{table.unit, 1};
-    auto text = fmt::format("{} capacities, {} to {}; {} not reached\n", table.capacities.size(),
+    auto text = fmt::format("{} {}, {} to {}; {} not reached\n", table.capacities.size(),
+                            table.capacities.size() == 1 ? "capacity" : "capacities",
                             unit.text(table.capacities.front().intensity), unit.text(table.capacities.back().intensity),
                             not_reached(table));
     if (auto const moments = moments_of(table.capacities)) {

@@ -17,7 +17,6 @@
 #include "spectra/band_rule.hpp"
 #include "spectra/input_energy.hpp"
 #include "spectra/response_spectrum.hpp"
-#include "stats/bootstrap.hpp"
 #include "stats/quantile.hpp"
 
 namespace overturn::cli {
@@ -25,20 +24,22 @@ namespace {
 
 using Rows = std::vector<std::vector<double>>;  // by wave, by period
 
-SpectrumBand band_of(Rows const& rows) {
+SpectrumBand band_of(Rows const& rows, std::int64_t independent) {
     constexpr double low = 0.15865525393145707;  // of a normal's one standard deviation
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     SpectrumBand band;
+    band.few = independent < fewest_for_quantile(low);
     std::vector<double> column(rows.size());
     for (std::size_t period = 0; period < rows.front().size(); ++period) {
         std::ranges::transform(rows, column.begin(), [&](auto const& row) { return row[period]; });
         std::ranges::sort(column);
         bool const known = !std::isnan(column.front()) && !std::isnan(column.back());
         auto const at = [&](double q) { return known ? quantile(column, q) : unknown; };
-        bool const few = std::ssize(rows) < least_waves;  // no standard deviation of these
-        band.p16.push_back(few ? unknown : at(low));
-        band.p50.push_back(at(0.5));
-        band.p84.push_back(few ? unknown : at(1 - low));
+        auto const percentile = [&](double q) { return independent < fewest_for_quantile(q) ? unknown : at(q); };
+        band.lowest.push_back(known ? column.front() : unknown);
+        band.p16.push_back(percentile(low));
+        band.p50.push_back(percentile(0.5));
+        band.p84.push_back(percentile(1 - low));
         band.highest.push_back(known ? column.back() : unknown);
     }
     return band;
@@ -53,7 +54,8 @@ std::vector<double> psa_of(TargetSpectrum const& target, std::vector<double> con
 }
 
 Json band_json(SpectrumBand const& band) {
-    return {{"p16", band.p16}, {"p50", band.p50}, {"p84", band.p84}, {"highest", band.highest}};
+    return {
+        {"lowest", band.lowest}, {"p16", band.p16}, {"p50", band.p50}, {"p84", band.p84}, {"highest", band.highest}};
 }
 
 }  // namespace
@@ -100,10 +102,12 @@ SpectraOfWaves spectra_of_waves(CampaignInput const& input, CampaignSpec const& 
         }
     }
     validate(!all.waves.empty(), "none of the first {} waves can be made. See overturn wave CAMPAIGN --wave 0", count);
-    all.psa_mps2 = band_of(psa);
-    all.v_e_mps = band_of(v_e);
+    auto const shared = spec.source->about().shared.effect();
+    auto const independent = SharedDraws::whole(static_cast<double>(psa.size()) / shared);
+    all.psa_mps2 = band_of(psa, independent);
+    all.v_e_mps = band_of(v_e, independent);
     if (!targets.empty()) {
-        all.targets = band_of(targets);
+        all.targets = band_of(targets, independent);
     }
     return all;
 }

@@ -42,6 +42,9 @@ struct Widths {
             row = std::max(row, std::min(text_width(line[1]), names - 1 - body + words_of(line[1]).size()));
         }
     }
+    [[nodiscard]] std::size_t levels_in_a_line() const {
+        return std::max<std::size_t>(1, (line_width - body - 1 - row) / (1 + cell));
+    }
     // " without overturning)", which is never shortened.
     static std::string_view words_of(std::string_view name) {
         auto const at = name.rfind(without_overturning);
@@ -73,12 +76,20 @@ struct Widths {
 }  // namespace
 
 std::string answer_text(Answered const& of) {
-    // With title, levels and a note of what was left out 15 lines; three levels beside each other, further ones below.
+    // With title, levels and a note of what was left out 15 lines; so many levels beside each other as fit, at most
+    // three, further ones below.
     constexpr std::size_t most_lines = 13;
     constexpr std::size_t names = 2;
-    constexpr std::size_t across = 3;
-    auto const parts = (answer_levels(of.spec.levels).size() + across - 1) / across;
-    auto const sheet = answer_sheet(of, most_lines - parts, parts);
+    auto const sheet_of = [&](std::size_t across) {
+        auto const parts = (answer_levels(of.spec.levels).size() + across - 1) / across;
+        return answer_sheet(of, most_lines - parts, parts);
+    };
+    std::size_t across = 3;
+    auto sheet = sheet_of(across);
+    if (auto const fit = Widths(sheet).levels_in_a_line(); fit < across) {
+        across = fit;
+        sheet = sheet_of(across);
+    }
     if (sheet.rows.empty()) {
         return {};
     }

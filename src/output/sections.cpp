@@ -90,6 +90,7 @@ struct Section {
     bool (*is_there)(Printed const&);    // is there anything of it in this campaign?
     bool (*is_unasked)(Printed const&);  // is it printed without being asked for? Where it is there
     std::string (*text)(Printed const&, TextOptions const&);
+    std::string_view missing = "nothing in this campaign";
 };
 
 // In the order in which they are printed.
@@ -118,9 +119,11 @@ constexpr std::array sections{
     Section{"frequency", [](Printed const& p) { return p.hazard != nullptr && is_enough(p); }, always,
             [](Printed const& p, TextOptions const&) {
                 return frequency_text(p.answered.frequencies, *p.hazard, p.answered.confidence);
-            }},
+            },
+            "no hazard curve: state one with --hazard CURVE.csv, or in the campaign"},
     Section{"rare", [](Printed const& p) { return !p.rare.empty(); }, always,
-            [](Printed const& p, TextOptions const&) { return rare_text(p.answered.spec, p.rare); }},
+            [](Printed const& p, TextOptions const&) { return rare_text(p.answered.spec, p.rare); },
+            "no estimate of rare events: the campaign has no [rare]"},
     Section{"trials", always, never_unasked,
             [](Printed const& p, TextOptions const&) { return telling_text(p.answered.spec, p.telling, p.file); }}};
 
@@ -167,7 +170,7 @@ std::string results_text(Printed const& printed, TextOptions const& options) {
             text += part.empty() ? std::string() : fmt::format("\n== {}\n{}", section.name, narrowed(part));
         } else if (!is_there && options.names(section.name)) {
             auto const why = no_probability_text(printed.answered);
-            text += fmt::format("\n== {}\n{}\n", section.name, why.empty() ? "nothing in this campaign" : why);
+            text += fmt::format("\n== {}\n{}\n", section.name, why.empty() ? section.missing : why);
         }
     }
     if (!options.full && options.sections.empty()) {

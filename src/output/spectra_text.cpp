@@ -19,7 +19,8 @@ std::string columns(std::string const& first, std::string const& second, std::st
 }
 
 std::string columns(SpectrumBand const& band, std::size_t i, double si) {
-    return columns(number(band.p16[i] / si), number(band.p50[i] / si), number(band.p84[i] / si));
+    return columns(number((band.few ? band.lowest : band.p16)[i] / si), number(band.p50[i] / si),
+                   number((band.few ? band.highest : band.p84)[i] / si));
 }
 
 std::string lines_above(CampaignSpec const& spec, SpectraOfWaves const& spectra) {
@@ -39,7 +40,8 @@ std::string spectra_text(CampaignSpec const& spec, SpectraOfWaves const& spectra
     constexpr std::size_t every = 5;
     auto const acceleration = typed_units(spec).acceleration;
     auto const& targets = spectra.targets;
-    auto const percentiles = columns("16 %", "50 %", "84 %");
+    auto const percentiles =
+        spectra.psa_mps2.few ? columns("lowest", "50 %", "highest") : columns("16 %", "50 %", "84 %");
     auto text = lines_above(spec, spectra);
     text += fmt::format("{:>9}{}{}{}\n", "", columns("pSa " + acceleration.symbol, "", ""),
                         targets ? columns("targets", "", "") : "", columns("V_E " + velocity.symbol, "", ""));

@@ -11,9 +11,10 @@
 
 namespace overturn::output {
 
-/// 16 %, 50 % and 84 % of a sample at each period, and its largest.
+/// 16 %, 50 % and 84 % of a sample at each period, its lowest and highest value.
 struct SpectrumBand {
-    std::vector<double> p16, p50, p84, highest;  ///< p16, p84: NaN of fewer than five waves
+    std::vector<double> lowest, p16, p50, p84, highest;  ///< percentiles: NaN of fewer waves than fewest_for_quantile
+    bool few = false;                                    ///< too few for p16 and p84
 };
 
 struct SpectraOfWaves {

@@ -188,6 +188,8 @@ Table quantile_table(CampaignSpec const& spec, std::string const& body, std::spa
              "of the known ones overturned: they lie above every value, where a percentile of slip is infinite",
              [](Row const& row) { return row.overturned; });
     auto const unit = stated_unit(of.units);
+    table.add("lowest", unit, "lowest known value; NaN: none is known", [](Row const& row) { return row.least; })
+        .add("highest", unit, "highest known value", [](Row const& row) { return row.most; });
     static constexpr std::array names{"median", "p84", "p95"};
     for (std::size_t q = 0; q < names.size(); ++q) {
         auto const what = fmt::format("value that {:g} % of the trials do not exceed", 100 * of.quantiles.at(q).share);

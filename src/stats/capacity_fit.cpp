@@ -162,7 +162,7 @@ void raise_flags(FragilityFit& fit, std::size_t capacities) {
 
 std::optional<CapacityMoments> moments_of(std::span<Capacity const> capacities) {
     auto const n = static_cast<double>(capacities.size());
-    if (n < 2 || !std::ranges::all_of(capacities, &Capacity::reached)) {
+    if (std::ssize(capacities) < least_waves || !std::ranges::all_of(capacities, &Capacity::reached)) {
         return std::nullopt;
     }
     double mean = 0;

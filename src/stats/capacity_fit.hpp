@@ -15,7 +15,7 @@ struct Capacity {
 };
 
 /// ln median = mean of ln capacity, beta = its standard deviation over n - 1 (Baker 2015, Earthquake Spectra 31(1), eqs
-/// 2 and 3). Nothing where a capacity is censored, or fewer than two were reached.
+/// 2 and 3). Nothing where a capacity is censored, or of fewer than five.
 struct CapacityMoments {
     double median = 0, beta = 0;
 };

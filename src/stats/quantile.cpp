@@ -10,6 +10,7 @@
 #include <gsl/gsl_statistics_double.h>
 
 #include "core/shared_draws.hpp"
+#include "stats/bootstrap.hpp"
 
 namespace overturn {
 
@@ -66,6 +67,11 @@ Interval middle_about(double estimate, std::span<double const> values, double co
     double const half = gsl_cdf_ugaussian_Qinv((1 - confidence) / 2);
     double const moved = 2 * score_among(estimate, values);
     return between_shares(values, gsl_cdf_ugaussian_P(moved - half), gsl_cdf_ugaussian_Q(moved + half), widest);
+}
+
+std::int64_t fewest_for_quantile(double share) {
+    constexpr double rounding = 1e-9;
+    return std::max(least_waves, static_cast<std::int64_t>(std::ceil(1 / std::min(share, 1 - share) - rounding)));
 }
 
 double quantile(std::span<double const> sorted, double q) {

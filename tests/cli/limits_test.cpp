@@ -158,6 +158,11 @@ TEST_F(Limits, FitReportsThemByName) {
     ASSERT_EQ(json["quantiles"].size(), 9U) << "slip and rotation of type-a, rotation of type-b";
     EXPECT_EQ(json["quantiles"][0]["quantity"], "peak_slip");
     EXPECT_TRUE(json["quantiles"][0]["p95_upper"].is_null());
+    for (auto const& row : json["quantiles"]) {
+        EXPECT_LE(row["lowest"], row["highest"]) << row;
+        EXPECT_TRUE(row["median"].is_null() || (row["lowest"] <= row["median"] && row["median"] <= row["highest"]))
+            << row;
+    }
     EXPECT_EQ(fit("1.h5"), json);
 }
 

@@ -21,19 +21,21 @@ class Spectra : public ::testing::Test {
   protected:
     // Blows: a triangle of two steps of 0.01 s, so that the ground's velocity changes by its height times 0.01 s.
     void write_blows() {
-        for (double const height : {1.0, 2.0, 4.0}) {
+        for (double const height : {1.0, 1.5, 2.0, 3.0, 4.0}) {
             std::string text = "time_s,acc (m/s2)\n";
             for (int i = 0; i <= 400; ++i) {
                 text += fmt::format("{:.2f},{}\n", 0.01 * i,
                                     i == 1     ? height
-                                    : i == 201 ? 2e-3 * height * height
-                                    : i == 200 ? -2e-3 * height * height
+                                    : i == 201 ? 2.5e-3 * height * height
+                                    : i == 200 ? -2.5e-3 * height * height
                                                : 0);
             }
             folder.write(fmt::format("blow{}.csv", height), text);
         }
-        folder.write("c.toml",
-                     "seed=1\n[waves]\nsource='records'\nfiles=['blow1.csv','blow2.csv','blow4.csv']\n" + bodies);
+        folder.write(
+            "c.toml",
+            "seed=1\n[waves]\nsource='records'\nfiles=['blow1.csv','blow1.5.csv','blow2.csv','blow3.csv','blow4.csv']\n"
+                + bodies);
     }
     json spectra(std::string const& file, std::vector<std::string> options = {}) {
         options.insert(options.begin(), {"spectra", file, "--json"});
@@ -48,16 +50,21 @@ class Spectra : public ::testing::Test {
 TEST_F(Spectra, BlowGivesItsVelocity) {
     write_blows();
     auto const told = spectra("c.toml", {"--damping", "0"});
-    ASSERT_EQ(told["each"].size(), 3U);
+    ASSERT_EQ(told["each"].size(), 5U);
     auto const last = told["period_s"].size() - 1;
     EXPECT_NEAR(told["period_s"][last].get<double>(), 20, 1e-9);
-    for (auto const& [wave, height] : {std::pair{0, 1.0}, {1, 2.0}, {2, 4.0}}) {
+    for (auto const& [wave, height] : {std::pair{0, 1.0}, {1, 1.5}, {2, 2.0}, {3, 3.0}, {4, 4.0}}) {
         EXPECT_NEAR(told["each"][wave]["v_e_mps"][last].get<double>(), 0.01 * height, 1e-6 * height);
     }
     EXPECT_NEAR(told["v_e_mps"]["p50"][last].get<double>(), 0.02, 1e-6);
     EXPECT_NEAR(told["v_e_mps"]["highest"][last].get<double>(), 0.04, 1e-6);
+    EXPECT_NEAR(told["v_e_mps"]["lowest"][last].get<double>(), 0.01, 1e-6);
+    EXPECT_TRUE(told["v_e_mps"]["p84"][last].is_null()) << "of five, none is expected beyond it";
     EXPECT_TRUE(told["target"].is_null());
-    EXPECT_EQ(spectra("c.toml", {"--waves", "2"})["each"].size(), 2U);
+    auto const two = spectra("c.toml", {"--waves", "2", "--damping", "0"});
+    EXPECT_EQ(two["each"].size(), 2U);
+    EXPECT_TRUE(two["v_e_mps"]["p50"][last].is_null()) << "two motions have no median";
+    EXPECT_NEAR(two["v_e_mps"]["highest"][last].get<double>(), 0.015, 1e-6);
 }
 
 // Tables say it in the unit that was asked for; JSON stays SI.

@@ -322,6 +322,10 @@ TEST(Answer, StatesWithoutOverturning) {
     auto const shortened = text("cask of a rather long name", "touches the wall of the building");
     EXPECT_NE(shortened.find(" without overturning) "), std::string::npos) << shortened;
     EXPECT_NE(shortened.find("P(t"), std::string::npos) << shortened;
+    for (auto const& line : lines_of(shortened)) {
+        EXPECT_LE(line.size(), 100U) << line;
+    }
+    EXPECT_NE(shortened.find("1200 gal = 2 x"), std::string::npos) << "levels that do not fit stand below";
 }
 
 // names beyond ASCII keep their columns, and are shortened between characters.
@@ -393,7 +397,7 @@ TEST(Sections, AreChosenByName) {
     auto const curves = output::results_text(printed, {.sections = {"curves"}});
     EXPECT_NE(curves.find("\n== curves\n"), std::string::npos);
     EXPECT_EQ(curves.find("\n== stripes\n"), std::string::npos);
-    EXPECT_NE(output::results_text(printed, {.sections = {"rare"}}).find("\n== rare\nnothing in this campaign\n"),
+    EXPECT_NE(output::results_text(printed, {.sections = {"rare"}}).find("\n== rare\nno estimate of rare events"),
               std::string::npos);
     auto const full = output::results_text(printed, {.full = true});
     EXPECT_NE(full.find("\n== curves\n"), std::string::npos);

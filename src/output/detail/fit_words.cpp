@@ -103,9 +103,7 @@ void add_state(std::vector<std::string>& texts, FragilityFit const& fit, Intensi
             break;
         case FragilityState::few_waves:
             texts.push_back(
-                fmt::format("no curve: it needs {} independent waves or more ({} here); use the intervals "
-                            "of the stripes",
-                            least_waves, fit.waves));
+                fmt::format("no curve: it needs {} independent waves or more ({} here)", least_waves, fit.waves));
             break;
         case FragilityState::undecided:
             texts.push_back(fmt::format(
@@ -203,10 +201,10 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
                                                     fit.monotone.p_value));
     add_if(FragilityFlag::poor_fit, poor_text(fit));
     add_if(FragilityFlag::five_percent_doubtful, doubtful_text(fit, unit, confidence));
-    add_if(
-        FragilityFlag::no_beta_u,
-        "no HCLPF: it needs beta_U, the spread of the median from uncertain properties of the body (--beta-u, or key "
-        "statistics.beta_u). No sampled property changes the median significantly. The 5 % point is without it");
+    add_if(FragilityFlag::no_beta_u,
+           fmt::format("no HCLPF: it needs beta_U, the spread of the median from uncertain properties of the body "
+                       "(--beta-u, or key statistics.beta_u). {}The 5 % point is without it",
+                       fit.drawn ? "No sampled property changes the median significantly. " : ""));
     add_if(FragilityFlag::median_outside_data, "the median is outside the levels (extrapolated)");
     add_if(FragilityFlag::hclpf_outside_data, "HCLPF is below the levels (extrapolated)");
     if (fit.state != FragilityState::undecided) {

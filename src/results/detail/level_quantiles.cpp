@@ -8,18 +8,13 @@
 #include <optional>
 
 #include "core/units.hpp"
-#include "stats/bootstrap.hpp"
+#include "stats/quantile.hpp"
 
 namespace overturn {
 namespace {
 
 constexpr std::array quantile_shares{0.5, 0.84,
                                      0.95};  // median, one standard deviation above it, and what is rarely passed
-
-// Of fewer independent values none is expected beyond the quantile: 20 for 95 %.
-std::int64_t fewest_for(double share) {
-    return std::max(least_waves, static_cast<std::int64_t>(std::ceil(1 / (1 - share) - 1e-9)));
-}
 
 // A fall lies beyond every value; `fallen` is what the columns hold of it.
 SampleQuantile with_falls(SampleQuantile quantile, double fallen) {
@@ -62,7 +57,7 @@ std::vector<LevelQuantiles> level_quantiles(CampaignSpec const& spec, MeasuredTr
             auto const independent = SharedDraws::whole(static_cast<double>(at.trials + at.unknown) / group_size);
             std::ranges::transform(quantile_shares, at.quantiles.begin(), [&](double share) {
                 auto found = sample_quantile(values, at.unknown, share, confidence, group_size);
-                if (independent < fewest_for(share)) {
+                if (independent < fewest_for_quantile(share)) {
                     found.value = std::numeric_limits<double>::quiet_NaN();
                 }
                 return with_falls(found, fallen);

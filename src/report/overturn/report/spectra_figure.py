@@ -72,7 +72,7 @@ def draw(data, path):
                       label=f"target {target['name']}" + (", their median as stated" if drawn else ""))
     response.set_yscale("log")
     top = in_unit(max(data["psa_mps2"]["highest"]))
-    response.set_ylim(max(in_unit(min(data["psa_mps2"]["p50"])) / 4, top / 3e4), 2 * top)
+    response.set_ylim(max(in_unit(min(data["psa_mps2"]["lowest"])) / 4, top / 3e4), 2 * top)
     response.set_ylabel(f"pseudo-acceleration, {style.unit('acceleration')}")
     response.set_title(f"Response, {100 * data['damping']:g} % damping")
     for axes in (energy, response):
