@@ -86,12 +86,12 @@ std::string answer_text(Answered const& of) {
     };
     std::size_t across = 3;
     auto sheet = sheet_of(across);
+    if (sheet.rows.empty()) {
+        return {};
+    }
     if (auto const fit = Widths(sheet).levels_in_a_line(); fit < across) {
         across = fit;
         sheet = sheet_of(across);
-    }
-    if (sheet.rows.empty()) {
-        return {};
     }
     auto text = of.spec.title.empty() ? std::string() : shortened(of.spec.title, line_width) + "\n";
     text += wrapped(sheet.title);
