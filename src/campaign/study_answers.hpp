@@ -16,6 +16,7 @@ struct StudyAnswers {
     std::optional<std::string> spectrum, spectrum_kind, spectrum_unit, components, duration, acceptance;
     std::optional<std::string> records, record_unit, baseline;
     std::vector<std::string> record_files;  ///< in the folder `records`; empty if that is a file
+    bool records_of_stations = false;       ///< each of these is joined by the other components of its station
     std::optional<std::string> count, design_basis, hazard, beta_u;
 
     /// Is the spectrum a file, and no published one?

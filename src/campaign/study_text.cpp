@@ -188,7 +188,9 @@ void write_records(StudyText& out, StudyAnswers const& a) {
                : out.leave_out("baseline = \"high-pass 0.05 Hz\"", "no baseline correction, because none was given");
     a.count ? out.state("count", as_value(*a.count))
             : out.leave_out("count = 10", "all records, because no number was given");
-    out.leave_out("components = \"station\"", "the components of each file, because no others were given");
+    a.records_of_stations
+        ? out.state("components", quoted("station") + "  # each with the other components of its station and event")
+        : out.leave_out("components = \"station\"", "the components of each file, because no others were given");
     out.end();
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -19,7 +20,10 @@
 #include "cli/scene_files.hpp"
 #include "cli/verbs.hpp"
 #include "config/suggestion.hpp"
+#include "core/error.hpp"
+#include "core/input_files.hpp"
 #include "core/print_note.hpp"
+#include "motion/record.hpp"
 #include "results/hazard_table.hpp"
 #include "store/durable.hpp"
 
@@ -112,6 +116,33 @@ std::vector<std::string> files_in(std::string const& folder) {
     return names;
 }
 
+// Where each file is one component of a station and event: of each of these the first horizontal one, which the others
+// join. Empty where a file states no station, or stands alone.
+std::vector<std::string> one_of_each_station(fs::path const& folder, std::vector<std::string> const& names) {
+    std::map<std::string, std::vector<std::string>> of_station;
+    std::vector<std::string> found;
+    try {
+        InputFiles files(folder);
+        for (auto const& name : names) {
+            of_station[station_of_record(files.read(name))].push_back(name);
+        }
+        for (auto const& [station, components] : of_station) {
+            auto const first = std::ranges::find_if(components, [&](std::string const& name) {
+                auto const recording = read_recording(files.read(name), {.name = name});
+                return recording.components.size() == 1
+                       && recording.components.front().direction == Direction::horizontal;
+            });
+            if (station.empty() || components.size() == 1 || first == components.end()) {
+                return {};
+            }
+            found.push_back(*first);
+        }
+    } catch (InputError const&) {  // said when the campaign is read
+        return {};
+    }
+    return found;
+}
+
 // Files are named from the folder of the campaign.
 StudyAnswers located(StudyAnswers answers, fs::path const& folder) {
     if (answers.has_spectrum_file()) {
@@ -120,6 +151,10 @@ StudyAnswers located(StudyAnswers answers, fs::path const& folder) {
     if (answers.records) {
         answers.record_files =
             fs::is_directory(*answers.records) ? files_in(*answers.records) : std::vector<std::string>();
+        if (auto stations = one_of_each_station(*answers.records, answers.record_files); !stations.empty()) {
+            answers.records_of_stations = true;
+            answers.record_files = std::move(stations);
+        }
         answers.records = as_seen_from(folder, *answers.records);
     }
     if (answers.hazard) {

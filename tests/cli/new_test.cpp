@@ -162,6 +162,34 @@ TEST_F(New, FilesAreNamedFromTheCampaign) {
     EXPECT_EQ(overturn(folder, {"plan", "studies/s.toml"}).code, 0);
 }
 
+// a folder of single components is a record for each station and event, the vertical component with it.
+TEST_F(New, ComponentsOfAStationAreOneRecord) {
+    std::filesystem::create_directory(folder / "peer");
+    auto const write = [&](char const* name, char const* station, char const* component, int value) {
+        folder.write(std::string("peer/") + name,
+                     fmt::format("PEER NGA STRONG MOTION DATABASE RECORD\nHole 01, 5/19/1940, {}, {}\n"
+                                 "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=   4, DT=   .0100 SEC,\n"
+                                 " .0{} -.02 .01 0.0\n",
+                                 station, component, value));
+    };
+    write("a-up.at2", "El Centro", "UP", 1);
+    write("b.at2", "El Centro", "180", 2);
+    write("c.at2", "El Centro", "270", 3);
+    write("d.at2", "Taft", "090", 4);
+    write("e.at2", "Taft", "UP", 5);
+    Arguments const study{"--records", "peer", "--design-basis", "0.3 g"};
+    expect_planned(study);
+    auto const text = folder.read("s.toml");
+    EXPECT_NE(text.find("files = [\"b.at2\", \"d.at2\"]\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("\ncomponents = \"station\"  # "), std::string::npos) << text;
+
+    write("f.at2", "Hachinohe", "090", 6);  // alone: no other component would be found
+    std::filesystem::remove(folder / "peer/a-up.at2");
+    std::filesystem::remove(folder / "peer/e.at2");
+    expect_planned(study);
+    EXPECT_NE(folder.read("s.toml").find("files = [\"b.at2\", \"c.at2\", \"d.at2\", \"f.at2\"]\n"), std::string::npos);
+}
+
 TEST_F(New, RefusesWhatCannotBe) {
     Arguments const waves{"--spectrum", "mlit-ch1", "--design-basis", "600 gal"};
     expect_refused({"--mass", "117 stone"}, "--mass unit 'stone' (not a unit of mass). Use one of: ");
