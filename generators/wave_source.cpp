@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "core/error.hpp"
 #include "generators/aftershock.hpp"
 #include "generators/filtered_noise.hpp"
@@ -27,6 +29,11 @@ std::string WaveSource::name(std::uint64_t wave) const {
     }
     validate_wave(wave, about_.measured.size());
     return about_.measured[wave].name;
+}
+
+std::string WaveSource::called(std::uint64_t wave) const {
+    auto const of_record = name(wave);
+    return of_record.empty() ? fmt::format("wave {}", wave) : fmt::format("record '{}'", of_record);
 }
 
 GroundMotion const* WaveSource::began_with(std::uint64_t wave) const {

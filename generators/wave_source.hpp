@@ -131,6 +131,8 @@ class WaveSource {
     [[nodiscard]] std::optional<Drift> drift(std::uint64_t wave) const;
     /// The campaign's name of a measured wave; empty for all others. \throws InputError as make
     [[nodiscard]] std::string name(std::uint64_t wave) const;
+    /// In messages: "record 'kobe.csv'", "wave 3". \throws InputError as make
+    [[nodiscard]] std::string called(std::uint64_t wave) const;
     /// The measured motion that the match of a wave began with; null of all others.
     [[nodiscard]] GroundMotion const* began_with(std::uint64_t wave) const;
 

@@ -41,7 +41,7 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
     std::string first;
     each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
         if (drift.any_excessive() && count++ == 0) {
-            first = fmt::format("record {} {}", wave, drift.text());
+            first = fmt::format("{} {}", spec.source->called(wave), drift.text());
         }
     });
     constexpr double mostly = 0.5;
@@ -49,10 +49,10 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
         bool const away = std::abs(drift.end_displacement_m) > mostly * drift.pgd_m;
         if (spec.levels.measure == measure_named("pgd") && away && !warned) {
             warned = true;
-            lines.push_back(
-                fmt::format("record {} {}: levels by pgd scale by what it is left at, fling or drift. State "
-                            "waves.baseline if it is drift",
-                            wave, drift.text()));
+            lines.push_back(fmt::format(
+                "{} {}: levels by pgd scale by what it is left at, fling or drift. State waves.baseline if it "
+                "is drift",
+                spec.source->called(wave), drift.text()));
         }
     });
     if (count > 0) {
@@ -159,7 +159,7 @@ void add_motions(CampaignSpec const& spec, Lines& lines) {
     auto const count = std::min(most, static_cast<std::uint64_t>(spec.wave_count));
     for (std::uint64_t wave = 0; wave < count; ++wave) {
         for (auto const& line : warnings_of(spec.source->make(spec.seed, wave).motion)) {
-            lines.push_back(fmt::format("record {}: {}", wave, line));
+            lines.push_back(fmt::format("{}: {}", spec.source->called(wave), line));
             return;  // the first is enough
         }
     }

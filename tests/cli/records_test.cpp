@@ -92,7 +92,7 @@ TEST_F(RecordsOnTheLine, PgdOfAFlingIsReported) {
 
 TEST_F(RecordsOnTheLine, DriftIsReportedWhereLevelsDoNotNeedIt) {
     folder.write("c.toml", campaign("files=['drifts.csv']\n", "pga", "'300 gal'"));
-    char const* const warning = "record 0 ends at 1.76 m/s (";
+    char const* const warning = "record 'drifts.csv' ends at 1.76 m/s (";
     EXPECT_NE(planned(folder, {"c.toml"}).out.find(warning), std::string::npos);
     auto const run = overturn(folder, {"run", "c.toml"});
     EXPECT_NE(run.err.find(std::string("warning: ") + warning), std::string::npos) << run.err;
@@ -128,7 +128,7 @@ TEST_F(RecordsOnTheLine, TheReadingIsReported) {
 
 // a record that levels scale by more than five is said, before any work.
 TEST_F(RecordsOnTheLine, ScaledRecordsAreReported) {
-    std::string const line = "record 0 is scaled by up to ";
+    std::string const line = "record 'rests.csv' is scaled by up to ";
     folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", "'300 gal'"));
     EXPECT_EQ(planned(folder, {"c.toml"}).out.find(line), std::string::npos);
     folder.write("c.toml", campaign("files=['rests.csv']\nscale=2\n", "pga", "'300 gal','900 gal'"));

@@ -151,7 +151,7 @@ TEST_F(Warnings, ScatteredFrictionSlidesInAShareOfDraws) {
 
 TEST_F(Warnings, StepOfOneSecond) {
     folder.write("r.csv", record(1, 401, 1));
-    expect_warned(records_campaign(), {"record 0: time step of 1 s", "nothing above 0.5 Hz"});
+    expect_warned(records_campaign(), {"record 'r.csv': time step of 1 s", "nothing above 0.5 Hz"});
     for (auto const& verb : {std::vector<std::string>{"rock", "--body", "body.toml"}, {"spectrum"}}) {
         auto const ended = overturn(folder, joined(verb, {"--wave", "r.csv"}));
         EXPECT_NE(ended.err.find("warning: time step of 1 s"), std::string::npos) << ended.err;
@@ -160,7 +160,7 @@ TEST_F(Warnings, StepOfOneSecond) {
 
 TEST_F(Warnings, TwoSamples) {
     folder.write("r.csv", "time_s,acc (gal)\n0,100\n0.01,-100\n");
-    expect_warned(records_campaign(), {"record 0: 2 samples only"});
+    expect_warned(records_campaign(), {"record 'r.csv': 2 samples only"});
     auto const ended = overturn(folder, {"spectrum", "--wave", "r.csv"});
     EXPECT_NE(ended.err.find("warning: 2 samples only"), std::string::npos) << ended.err;
 }

@@ -48,9 +48,10 @@ std::string warning_of_scaled_records(CampaignSpec const& spec) {
         return {};
     }
     return fmt::format(
-        "record {} is scaled by up to {:.3g}{}: beyond {:g} a record's duration and long periods are "
+        "{} is scaled by up to {:.3g}{}: beyond {:g} a record's duration and long periods are "
         "hardly those of so strong a motion. Choose stronger records, or lower levels",
-        which, most, count > 1 ? fmt::format(", and {} more by above {:g}", count - 1, most_scaled) : "", most_scaled);
+        spec.source->called(which), most,
+        count > 1 ? fmt::format(", and {} more by above {:g}", count - 1, most_scaled) : "", most_scaled);
 }
 
 }  // namespace overturn
