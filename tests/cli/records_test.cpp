@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/python.hpp"
 #include "core/units.hpp"
 #include "store/results_file.hpp"
 #include "support/command.hpp"
@@ -262,6 +263,15 @@ TEST_F(RecordsOnTheLine, OfFewerThanFiveNoTableHasAProbability) {
     auto const asked = overturn(folder, {"fit", "four.h5", "--section", "frequency", "--hazard", "hazard.csv"}).out;
     EXPECT_NE(asked.find("== frequency\n4 records: no probability"), std::string::npos) << asked;
     EXPECT_NE(asked.find("annual frequency needs 5 records or more (4 here)"), std::string::npos) << asked;
+    if (has_python(folder, "h5py, matplotlib")) {
+        auto const paged = overturn(folder, {"report", "four.h5", "-o", "p.html", "--hazard", "hazard.csv"});
+        ASSERT_EQ(paged.code, 0) << paged.err;
+        auto const page = folder.read("p.html");
+        auto const row = page.find("<td", page.find("annual frequency of each limit state"));
+        auto const cells = page.substr(row, page.find("</tr>", row) - row);
+        EXPECT_NE(cells.find("not known"), std::string::npos) << cells;
+        EXPECT_EQ(cells.find("beta_U"), std::string::npos) << cells;
+    }
     auto const moved = overturn(folder, {"cost", "four.toml", "--sensitivity"});
     EXPECT_EQ(moved.code, 2) << moved.out;
     EXPECT_NE(moved.err.find("4 recorded motions (no probability, which needs 5 or more"), std::string::npos)

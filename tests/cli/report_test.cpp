@@ -165,6 +165,11 @@ TEST_F(Report, ShowsAnnualFrequenciesByAHazardCurve) {
     auto const row = page.find(">annual frequency</td><td class=short colspan=");
     EXPECT_LT(row, page.find("<nav>"));
     EXPECT_NE(page.substr(row, page.find("</tr>", row) - row).find(" a year"), std::string::npos);
+    auto const table = page.substr(page.find("<section id=\"frequency\">"));
+    bool const is_bounded = std::ranges::any_of(
+        fitted.at("frequency"), [](auto const& row) { return !row.at("fractile_95_most_per_year").is_null(); });
+    EXPECT_EQ(table.find(" (≤ ") != std::string::npos, is_bounded) << "the upper end at 95 % confidence";
+    EXPECT_NE(page.find("lowest to highest"), std::string::npos);
     EXPECT_NE(page.find("hz.csv: 5 points from 100 gal (0.01 1/a) to 2000 gal (1e-06 1/a)"), std::string::npos);
     auto const without = overturn(*folder, {"report", "c.h5", "-o", "g.html"});
     ASSERT_EQ(without.code, 0) << without.err;

@@ -1,6 +1,6 @@
 """How often in a year each limit state is passed, by the hazard curve that the report was given."""
 
-from .page_parts import interval, low_of, paragraphs, table, value_of
+from .page_parts import high_of, interval, low_of, paragraphs, table, value_of
 
 DIGITS = 3
 
@@ -12,13 +12,19 @@ def lacks_beta_u(f):
 
 def row_of(report, f):
     def span(name):
-        low = f[f"{name}_lower_per_year"]
-        return f"> {low_of(low, DIGITS)}" if lacks_beta_u(f) else interval([low, f[f"{name}_upper_per_year"]], DIGITS)
-    fractiles = [f[f"fractile_{percent}_per_year"] for percent in (5, 50, 95)]
+        low, high = f[f"{name}_lower_per_year"], f[f"{name}_upper_per_year"]
+        if low is None and high is None:  # of few records
+            return "not known"
+        return f"> {low_of(low, DIGITS)}" if lacks_beta_u(f) else interval([low, high], DIGITS)
+    def confident():
+        fractiles = [f[f"fractile_{percent}_per_year"] for percent in ("5", "50", "95")]
+        if None in fractiles:
+            return "beta_U unknown" if lacks_beta_u(f) else "–"
+        most = f["fractile_95_most_per_year"]
+        return ", ".join(high_of(value, DIGITS) for value in fractiles) + ("" if most is None else f" (≤ {high_of(most, DIGITS)})")
     return [f["body"], report.limit_names[f["limit"]], span("frequency"), value_of(f["mean_per_year"], DIGITS, "no curve"),
             value_of(f["extrapolated_per_year"], 2),
-            "beta_U unknown" if None in fractiles else ", ".join(value_of(value, DIGITS) for value in fractiles),
-            span("stripes_alone")]
+            confident(), span("stripes_alone")]
 
 
 def add(report):

@@ -8,6 +8,7 @@ MOST_PAIRS = 6  # of bodies, columns of a table
 MOST_OPEN_ROWS = 40  # of the stripes: longer tables scroll in a box
 QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
 SHARES = {"median": 0.5, "p84": 0.84, "p95": 0.95}
+FEWEST = {"median": 5, "p84": 7, "p95": 20}  # waves: of fewer there is no such percentile
 RESPONSES = {"peak_slip": ("peak slip", "slip"), "peak_rotation_ratio": ("peak rotation / α", "")}  # name, kind of unit
 
 
@@ -30,6 +31,8 @@ def answer_table(sheet):
 
 def response(row, key):
     """A percentile of a response; a trial that overturned lies above every value. Few waves give no percentile."""
+    if row["trials"] + row["unknown"] < FEWEST[key]:
+        return "–"
     beyond = (row["trials"] - 1) * (1 - SHARES[key])
     return "overturned" if row[key] is None and row["overturned"] > beyond else value_of(row[key], 3)
 
@@ -172,9 +175,17 @@ def spread(row, key, fallen):
     return response(known, key) if low is None and high is None else f"{response(known, key)} ({interval([low, high], 3)})"
 
 
+def span(row, fallen):
+    """The lowest and the highest value; a trial that overturned has none."""
+    if row["trials"] == 0:
+        return "–"
+    ends = [row[key] if row[key] is not None and row[key] < fallen else None for key in ("lowest", "highest")]
+    return f"{low_of(ends[0], 3, 'fell')} to {high_of(ends[1], 3, 'fell')}"
+
+
 def in_unit(row, kind):
     """A row of percentiles with its lengths in the unit they are shown in."""
-    ends = [key + end for key, _ in QUANTILES for end in ("", "_lower", "_upper")] if kind else []
+    ends = ["lowest", "highest", *(key + end for key, _ in QUANTILES for end in ("", "_lower", "_upper"))] if kind else []
     return {**row, **{key: None if row[key] is None else style.shown(kind, row[key]) for key in ends},
             **({"units": style.unit(kind)} if kind else {})}
 
@@ -204,8 +215,8 @@ def responses(report):
                                       report.results, mine, of_it, path), f"{name} of {body.name} per level")
             what = f"{body.name}: {name}{f' [{unit}]' if unit else ''}"
             parts += [f"<h4>{escape(what)}</h4>", drawn,
-                      table(what, ["level", *(title for _, title in QUANTILES), "trials"],
-                            [[report.amplitude(q["amplitude"]), *(spread(q, key, fallen) for key, _ in QUANTILES), q["trials"]]
+                      table(what, ["level", *(title for _, title in QUANTILES), "lowest to highest", "trials"],
+                            [[report.amplitude(q["amplitude"]), *(spread(q, key, fallen) for key, _ in QUANTILES), span(q, fallen), q["trials"]]
                              for q in mine])]
     if parts:
         report.section("responses", "Slip and tilt", *parts, paragraphs([report.notes["quantiles"]], " class=quiet"))

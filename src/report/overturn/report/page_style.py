@@ -47,7 +47,7 @@ th button::after { content: " \\2195"; opacity: .6; } th[aria-sort=ascending] bu
 .zoom { margin: 0; } .zoom button { font: inherit; color: var(--ink); background: var(--faint); border: 1px solid var(--quiet); border-radius: 3px; min-width: 1.7rem; margin-right: .3rem; cursor: pointer; }
 .tip { display: none; position: absolute; pointer-events: none; white-space: pre; background: var(--paper); color: var(--ink); border: 1px solid var(--quiet); padding: .2rem .5rem; font-size: .8rem; max-width: 190px; overflow: hidden; }
 .tip.on { border-color: var(--accent); border-width: 2px; }
-@media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; } h1 { font-size: 1.35rem; } .answer { padding: .5rem .6rem; }
+@media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; } h1 { font-size: 1.35rem; } .answer { padding: .5rem .6rem; } caption { position: sticky; left: 0; max-width: calc(100vw - 3.4rem); }
   .answer table { font-size: .8rem; min-width: 33rem; } .answer td { padding: .16rem .4rem; } .answer .short { white-space: normal; } .answer td:first-child { white-space: nowrap; } .words { min-width: 44rem; } .identity div { display: block; margin-bottom: .3rem; } }
 @media print {
   @page { size: A4; margin: 16mm 14mm 18mm; @bottom-left { content: "overturn"; font: 7.5pt sans-serif; color: #595959; }
