@@ -186,7 +186,7 @@ class SheetMaker {
                             : frequency_in_short(*f);
     }
 
-    // "0.245 g (lower end 0.2 g)"
+    // ">= 0.2 g (estimate 0.245 g)"
     [[nodiscard]] std::string capacity_text(MeasuredFragility const& curve, bool low_point) const {
         return too_few_ ? needs_more()
                         : hclpf_text(curve, {low_point, of_.beta_u_of_campaign && is_beta_u_assumed(of_.spec)});

@@ -33,15 +33,16 @@ std::string measure_text(MeasuredFragility const& m) {
     return m.shown_in.symbol == "1" ? m.label : fmt::format("{} {}", m.label, m.shown_in.symbol);
 }
 
-std::string point_text(MeasuredFragility const& m, std::optional<double> const& intensity) {
-    return intensity ? fmt::format("{:.{}g}", rounded_down(m.shown_in.of(*intensity), digits), digits)
-                     : std::string("-");
+// The lower end stands for a point on the curve's lower tail: whoever copies it copies no interval.
+std::string least_text(MeasuredFragility const& m, Interval const& point) {
+    return point.lower > 0 ? fmt::format("{:.{}g}", rounded_down(m.shown_in.of(point.lower), digits), digits)
+                           : std::string("-");
 }
 
-std::array<std::string, 9> fit_cells(MeasuredFragility const& m) {
+std::array<std::string, 8> fit_cells(MeasuredFragility const& m) {
     auto const rank = std::isnan(m.rank_area) ? std::string("-") : fmt::format("{:.3f}", m.rank_area);
     if (!m.fit.identifiable()) {
-        return {measure_text(m), "-", "no curve", "-", "-", "-", "-", "-", rank};
+        return {measure_text(m), "-", "no curve", "-", "-", "-", "-", rank};
     }
     auto const& line = *m.fit.line;
     auto const& ends = m.fit.intervals();
@@ -50,9 +51,8 @@ std::array<std::string, 9> fit_cells(MeasuredFragility const& m) {
             ends_text(ends.median, m.shown_in),
             fmt::format("{:.3f}", line.beta()),
             ends_text(ends.beta),
-            point_text(m, m.fit.five_percent_point()),
-            point_text(m, m.fit.hclpf()),
-            point_text(m, m.fit.one_percent_point()),
+            least_text(m, ends.five_percent_point),
+            m.fit.hclpf() ? least_text(m, ends.hclpf.value_or(Interval{0, 0})) : "-",
             rank};
 }
 
@@ -131,8 +131,8 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
         text += fmt::format("  no curve over any measure: {}\n", state_words(first.state, first.passing));
     } else {
         auto const ends = fmt::format("{:g} % interval", 100 * confidence);
-        TextGroup columns{{"fragility"},  {"median"}, {ends},         {"beta"}, {ends},
-                          {"5 %\npoint"}, {"HCLPF"},  {"1 %\npoint"}, {"rank"}};
+        TextGroup columns{{"fragility"},           {"median"},          {ends},  {"beta"}, {ends},
+                          {"5 % point\nat least"}, {"HCLPF\nat least"}, {"rank"}};
         columns.front().side = TextColumn::Side::left;
         for (auto const& m : fits) {
             append_row(columns, fit_cells(m));

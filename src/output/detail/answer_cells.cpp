@@ -77,14 +77,15 @@ std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words) {
     }
     if (!fit.hclpf()) {
         auto const& five = fit.intervals().five_percent_point;
-        return words.low_point && five.lower > 0 ? fmt::format("unknown: needs beta_U; 5 % point {} (lower end {})",
-                                                               text(*fit.five_percent_point()), text(five.lower))
+        return words.low_point && five.lower > 0 ? fmt::format("unknown: needs beta_U; 5 % point >= {} (estimate {})",
+                                                               text(five.lower), text(*fit.five_percent_point()))
                                                  : std::string("unknown: needs beta_U");
     }
     auto const stated = fit.beta_u > fit.beta_u_drawn
                             ? fmt::format("; by beta_U {:.3g}{}", fit.beta_u, words.beta_u_assumed ? ", assumed" : "")
                             : std::string();
-    return text(*fit.hclpf()) + (ends ? fmt::format(" (lower end {})", text(ends->lower)) : std::string()) + stated;
+    return (ends ? fmt::format(">= {} (estimate {})", text(ends->lower), text(*fit.hclpf())) : text(*fit.hclpf()))
+           + stated;
 }
 
 std::string frequency_words(BodyFrequency const& f) {

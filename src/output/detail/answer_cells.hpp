@@ -19,7 +19,7 @@ struct HclpfWords {
     bool low_point = true;        ///< the 5 % point where beta_U is missing
     bool beta_u_assumed = false;  ///< the campaign's beta_U, by which it is known
 };
-/// "420 gal (lower end 380 gal); by beta_U 0.3, assumed", or why there is none.
+/// ">= 380 gal (estimate 420 gal); by beta_U 0.3, assumed", or why there is none.
 [[nodiscard]] std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words);
 
 /// "3.8e-08 to 5.9e-08 a year"; "> 3.8e-08 a year" where beta_U, which raises it, is not known.
