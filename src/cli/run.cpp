@@ -116,7 +116,7 @@ void add_run(CommandLine& line) {
     verb.takes("--extend", options->extend,
                "add waves, levels, bodies, limits or statistics to the finished file at -o; its rows are kept");
     verb.takes("--shrink", options->shrink,
-               "with --extend: give up waves, levels and bodies that the campaign does not hold any more");
+               "with --extend or --resume: give up waves, levels and bodies that the campaign does not hold any more");
     verb.takes("--set", options->settings, "override keys: waves.count=50 bodies.0.friction=0.4", "KEY=VALUE ...");
     verb.takes("--max-walltime", options->max_walltime,
                "stop within this time, to be resumed later: \"50 min\", 01:00:00, 1-00:00:00; without a unit: seconds");

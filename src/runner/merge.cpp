@@ -19,6 +19,7 @@
 #include "results/recount.hpp"
 #include "results/statistics.hpp"
 #include "results/telling_trials.hpp"
+#include "runner/detail/extension.hpp"
 #include "runner/detail/merging_ranks.hpp"
 #include "runner/detail/stopping.hpp"
 #include "runner/detail/watchdog.hpp"
@@ -100,6 +101,9 @@ std::optional<Plan> chosen_of_parts(BlocksToMerge const& parts, std::vector<std:
     if (auto const missing = missing_text(parts, waves, chosen.has_value()); !missing.empty()) {
         print_note("{}", missing);
         return std::nullopt;
+    }
+    if (parts.spec.has_target()) {
+        refuse_lost_waves(waves_held(parts.output, parts.shards, parts.input), *chosen, parts.output.string());
     }
     return chosen;
 }

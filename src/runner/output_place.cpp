@@ -101,12 +101,13 @@ bool is_same_campaign(std::filesystem::path const& output, CampaignInput const& 
 }
 
 // A whole run keeps what it can use of one that was begun with another campaign. \return whether there is such a thing
-bool take_over(store::ShardFolder const& shards, CampaignInput const& begun, CampaignInput const& input, Part part) {
-    if (!part.is_whole()) {
+bool take_over(store::ShardFolder const& shards, CampaignInput const& begun, CampaignInput const& input,
+               OutputRequest const& request) {
+    if (!request.part.is_whole()) {
         refuse_other(begun, input, shards.folder().string());
         return false;
     }
-    if (can_take_over(shards, begun, input)) {
+    if (can_take_over(shards, begun, input, request.shrink)) {
         shards.set_aside(begun.block_key());
         shards.begin_again(input.serialise());
         return true;
@@ -229,7 +230,7 @@ OutputState lock_output(std::filesystem::path const& output, store::ShardFolder 
     } else {
         validate(request.resume || !request.part.is_whole(),
                  "{} (an unfinished run lies there). Go on with --resume, or remove it", shards.folder().string());
-        taken_over = take_over(shards, *begun, input, request.part);
+        taken_over = take_over(shards, *begun, input, request);
     }
     shards.remove_unfinished(plan.blocks_of(request.part));
     bool const keeps = request.part.is_whole() && (extends || !shards.aside().empty());

@@ -26,7 +26,7 @@ struct OutputState {
 struct OutputRequest {
     bool resume = false;
     bool extend = false;  ///< a finished file that can be extended is no obstacle; with resume
-    bool shrink = false;  ///< rows of it may be left out
+    bool shrink = false;  ///< rows that are there may be left out
     Part part;
 };
 

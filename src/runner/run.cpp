@@ -38,10 +38,9 @@ std::vector<std::int64_t> all_of(store::BlockRange const& range) {
 
 // What a stopped run, or a finished part, has to say.
 void print_what_is_left(CampaignInput const& input, RunOptions const& options, std::int64_t done, std::int64_t blocks) {
-    auto const again = resume_command(input, options.output,
-                                      options.shrink   ? "--extend --shrink"
-                                      : options.extend ? "--extend"
-                                                       : "--resume");
+    auto const again =
+        resume_command(input, options.output,
+                       std::string(options.extend ? "--extend" : "--resume") + (options.shrink ? " --shrink" : ""));
     if (options.part.is_whole() && options.leaves_blocks && done == blocks) {
         fmt::print("all blocks are done. For the file: overturn merge {}\n", options.output.string());
         return;
@@ -81,8 +80,8 @@ class Run {
                  options_.part.number, options_.part.of);
         validate(!options_.extend || options_.part.is_whole(),
                  "--extend beside --part (one run extends). Leave one out");
-        validate(!options_.shrink || options_.extend,
-                 "--shrink without --extend (it is for a finished file). Add --extend");
+        validate(!options_.shrink || options_.extend || options_.resume,
+                 "--shrink without --extend or --resume (it gives up rows that are there). Add one of them");
         OutputRequest const request{options_.resume || options_.extend, options_.extend, options_.shrink,
                                     options_.part};
         validate(!options_.leaves_blocks || (!options_.extend && !spec_.rare),
@@ -219,7 +218,11 @@ class Run {
 
     bool meets_target(std::int64_t count) {
         auto const looked = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
-            auto const look = look_at_target(spec_, plan_, waves_.chosen(count), shards_);
+            auto const chosen = waves_.chosen(count);
+            auto const look = look_at_target(spec_, plan_, chosen, shards_);
+            if (look.met && !options_.shrink) {
+                refuse_lost_waves(waves_held(options_.output, shards_, input_), chosen, options_.output.string());
+            }
             return nlohmann::json{{"met", look.met}, {"obstacle", look.obstacle}}.dump();
         }));
         bool const yes = looked.at("met").get<bool>();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <optional>
 #include <set>
 #include <utility>
@@ -68,6 +69,45 @@ void check_against(BlockRows const& stored, std::string const& place, CampaignSp
     }
 }
 
+// Computed rows of a campaign: how many waves of a group, and levels of how many.
+struct Held {
+    std::int64_t waves = 0;
+    std::set<std::int64_t> groups;  ///< that have some
+};
+
+// By the names of the blocks; where a rule refuses waves those that it accepts count, as they do in a finished file.
+Held held_by(CampaignSpec const& spec, Plan const& plan, store::ShardFolder const& shards,
+             std::vector<std::int64_t> const& blocks) {
+    Held held;
+    auto const& acceptance = spec.source->about().acceptance;
+    std::map<std::int64_t, std::int64_t> accepted;
+    for (auto const block : blocks) {
+        auto const [first, count] = plan.waves_of_block(block);
+        auto const rows = acceptance.refuses() ? BlockRows::unpack(shards.read(block), plan, count) : BlockRows{};
+        for (auto wave = first; wave < first + count; ++wave) {
+            auto const group = plan.group_of(wave);
+            held.groups.insert(group);
+            auto& of_group = accepted[group];
+            of_group = !acceptance.refuses()                            ? wave % plan.drawn_per_group() + 1
+                       : is_tried(acceptance, rows.waves[wave - first]) ? of_group + 1
+                                                                        : of_group;
+            held.waves = std::max(held.waves, of_group);
+        }
+    }
+    return held;
+}
+
+// Of a folder's own campaign.
+Held held_in(store::ShardFolder const& shards, CampaignInput const& begun) {
+    auto const spec = parse_campaign(begun);
+    Plan const plan(spec);
+    std::vector<std::string> notes;
+    auto const size = [&](std::int64_t block) { return BlockRows::packed_size(plan, block); };
+    store::BlockRange const all{0, plan.blocks()};
+    bool const read = spec.source->about().acceptance.refuses();
+    return held_by(spec, plan, shards, read ? shards.committed(all, notes, size) : shards.listed(all));
+}
+
 // Blocks that were set aside for a campaign whose rows can be used.
 Json usable_aside(store::ShardFolder const& shards, CampaignInput const& input) {
     auto found = Json::array();
@@ -93,17 +133,21 @@ Json usable_aside(store::ShardFolder const& shards, CampaignInput const& input) 
     return found;
 }
 
-// What a finished file holds and a campaign does not ask for.
-std::vector<std::string> lost_rows(store::ResultsReader const& file, CampaignSpec const& before,
-                                   CampaignSpec const& now) {
+// What is held of one campaign and another does not ask for.
+std::vector<std::string> lost_rows(Held const& held, CampaignSpec const& before, CampaignSpec const& now) {
     std::vector<std::string> lost;
-    auto const there = plan_in(file, before).chosen_per_group();
-    if (there > now.wave_count) {
-        lost.push_back(fmt::format("waves.count is {}, {} waves are there", now.wave_count, there));
+    if (held.groups.empty()) {
+        return lost;
     }
-    for (auto const& level : before.levels.levels) {
-        if (std::ranges::find(now.levels.levels, level.value, &Level::value) == now.levels.levels.end()) {
-            lost.push_back(fmt::format("level {}", before.levels.text(level.value)));
+    if (held.waves > now.wave_count) {
+        lost.push_back(fmt::format("waves.count is {}, {} waves are there", now.wave_count, held.waves));
+    }
+    auto const& levels = before.levels.levels;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        bool const has_rows = !before.levels.independent_waves || held.groups.contains(static_cast<std::int64_t>(i));
+        if (has_rows
+            && std::ranges::find(now.levels.levels, levels[i].value, &Level::value) == now.levels.levels.end()) {
+            lost.push_back(fmt::format("level {}", before.levels.text(levels[i].value)));
         }
     }
     for (auto const& body : before.bodies) {
@@ -112,6 +156,21 @@ std::vector<std::string> lost_rows(store::ResultsReader const& file, CampaignSpe
         }
     }
     return lost;
+}
+
+Held held_in(store::ResultsReader const& file, CampaignSpec const& spec) {
+    auto const plan = plan_in(file, spec);
+    Held held{.waves = plan.chosen_per_group(), .groups = {}};
+    for (std::int64_t group = 0; group < plan.groups(); ++group) {
+        held.groups.insert(group);
+    }
+    return held;
+}
+
+void refuse_lost(std::string const& place, std::vector<std::string> const& lost) {
+    validate(lost.empty(),
+             "{}: finished rows would be lost ({}). Undo that, or run with --shrink if they are not wanted any more",
+             place, fmt::join(lost, "; "));
 }
 
 }  // namespace
@@ -128,14 +187,15 @@ bool can_be_extended(std::filesystem::path const& output, CampaignInput const& i
              output.string(), file.text("program_version"), file.text("library_versions"));
     auto const before = input_of(file);
     refuse_barred(output.string(), bars_between(before, input));
-    auto const lost = lost_rows(file, parse_campaign(before), parse_campaign(input));
-    validate(may_shrink || lost.empty(),
-             "{}: finished rows would be lost ({}). Undo that, or add --shrink if they are not wanted any more",
-             output.string(), fmt::join(lost, "; "));
+    if (!may_shrink) {
+        auto const spec = parse_campaign(before);
+        refuse_lost(output.string(), lost_rows(held_in(file, spec), spec, parse_campaign(input)));
+    }
     return true;
 }
 
-bool can_take_over(store::ShardFolder const& shards, CampaignInput const& begun, CampaignInput const& input) {
+bool can_take_over(store::ShardFolder const& shards, CampaignInput const& begun, CampaignInput const& input,
+                   bool may_shrink) {
     if (begun.differences(input).empty()) {
         return false;
     }
@@ -146,7 +206,38 @@ bool can_take_over(store::ShardFolder const& shards, CampaignInput const& begun,
              "{}: another campaign with [rare] ({}; its stages need all waves). Undo the change, or start anew with "
              "another -o",
              shards.folder().string(), fmt::join(begun.differences(input), "; "));
+    if (!may_shrink) {
+        auto const now = parse_campaign(input);
+        refuse_lost(shards.folder().string(), lost_rows(held_in(shards, begun), parse_campaign(begun), now));
+        for (auto const& output : shards.aside()) {
+            auto const aside = CampaignInput::deserialise(store::ShardFolder(output, "").begun_with());
+            refuse_lost(output.string(), lost_rows(held_in(store::ShardFolder(output, aside.block_key()), aside),
+                                                   parse_campaign(aside), now));
+        }
+    }
     return true;
+}
+
+void refuse_lost_waves(std::int64_t held, Plan const& chosen, std::string const& place) {
+    if (chosen.chosen_per_group() < held) {
+        refuse_lost(place, {fmt::format("the target is met by {} waves, {} waves are there", chosen.chosen_per_group(),
+                                        std::min(held, chosen.count()))});
+    }
+}
+
+std::int64_t waves_held(std::filesystem::path const& output, store::ShardFolder const& shards,
+                        CampaignInput const& input) {
+    std::int64_t held = 0;
+    if (std::filesystem::exists(output)) {
+        store::ResultsReader const file(output, store::Trust::unverified);
+        held = held_in(file, parse_campaign(input_of(file))).waves;
+    }
+    for (auto const& each : usable_aside(shards, input)) {
+        std::filesystem::path const aside = each.at("output").get<std::string>();
+        auto const begun = CampaignInput::deserialise(store::ShardFolder(aside, "").begun_with());
+        held = std::max(held, held_in(store::ShardFolder(aside, begun.block_key()), begun).waves);
+    }
+    return held;
 }
 
 KeptPlaces take_known_blocks(std::filesystem::path const& output, CampaignInput const& input, CampaignSpec const& spec,

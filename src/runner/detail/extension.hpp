@@ -20,10 +20,18 @@ namespace overturn {
 /// libraries if these are others, or what would be lost
 [[nodiscard]] bool can_be_extended(std::filesystem::path const& output, CampaignInput const& input, bool may_shrink);
 
-/// Can this campaign use the blocks of a run that was begun with another? \throws InputError likewise
+/// Can this campaign use the blocks of a run that was begun with another, and of those that were set aside for it?
+/// \param may_shrink as above \throws InputError likewise
 /// \return false where nothing but what moves no block differs
 [[nodiscard]] bool can_take_over(store::ShardFolder const& shards, CampaignInput const& begun,
-                                 CampaignInput const& input);
+                                 CampaignInput const& input, bool may_shrink);
+
+/// Waves of a group, or shared by all levels, that earlier campaigns left: the finished file's, or blocks set aside.
+[[nodiscard]] std::int64_t waves_held(std::filesystem::path const& output, store::ShardFolder const& shards,
+                                      CampaignInput const& input);
+
+/// A target that is met early leaves out what is held beyond. \throws InputError if that is something
+void refuse_lost_waves(std::int64_t held, Plan const& chosen, std::string const& place);
 
 /// Rows to be kept, and their places; a text that goes to all ranks.
 struct KeptPlaces {
