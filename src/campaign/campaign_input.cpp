@@ -11,6 +11,7 @@
 #include "campaign/detail/campaign_keys.hpp"
 #include "campaign/detail/unsound.hpp"
 #include "campaign/withdrawn_keys.hpp"
+#include "campaign/withheld_inputs.hpp"
 #include "config/stated_values.hpp"
 #include "core/regular_file.hpp"
 #include "store/sha256.hpp"
@@ -46,6 +47,7 @@ StatedValues decisive(CampaignInput const& input) {
     std::erase_if(values, [](auto const& each) {
         return std::ranges::any_of(cover_keys, [&](config::Key const& key) { return is_below(each.first, key.name); });
     });
+    values.erase(std::string(inputs_key.name));
     values.erase("statistics.confidence");
     values.erase("statistics.beta_u");
     std::erase_if(values, [](auto const& each) { return is_below(each.first, "hazard"); });
@@ -86,7 +88,7 @@ void add_changed_files(std::vector<std::string>& found, CampaignInput const& bef
     for (auto const& [file, content] : before.files) {
         auto const there = now.files.find(file);
         bool const gone = there == now.files.end();
-        if (gone ? !apart.contains(file) : there->second != content) {
+        if (gone ? !apart.contains(file) : !is_same_content(there->second, content)) {
             found.push_back(fmt::format("file {} {}", file, gone ? "is gone" : "changed"));
         }
     }

@@ -33,8 +33,8 @@ struct CampaignInput {
     /// SHA-256 of text, settings and files; neither the name nor program, machine and libraries count.
     [[nodiscard]] std::string sha256() const;
     /// Key of finished blocks: every value that may decide a row or the waves of a block, the files, the program, the
-    /// kind of machine and the libraries. Comments, confidence, beta_U, the cover's text (title, question, signatures)
-    /// and the hazard curve do not count: they move no row.
+    /// kind of machine and the libraries. Comments, confidence, beta_U, the cover's text (title, question, signatures),
+    /// the hazard curve and whether inputs are stored do not count: they move no row.
     [[nodiscard]] std::string block_key() const;
 
     /// Name of the file of the seismic hazard curve; empty if the campaign states none. \throws InputError

@@ -25,6 +25,9 @@ inline constexpr config::Key inputs_key =
 /// Is the content of any input file not there?
 [[nodiscard]] bool has_withheld(CampaignInput const& input);
 
+/// Are they one file's, where either may be what stands for it?
+[[nodiscard]] bool is_same_content(std::string const& a, std::string const& b);
+
 /// Puts the records back into the input of a results file: from its folder, else from the current one.
 /// \throws InputError if one is not there, or is another than the hash says
 void fetch_withheld(CampaignInput& input, std::filesystem::path const& results);

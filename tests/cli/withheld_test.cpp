@@ -71,6 +71,26 @@ TEST_F(Withheld, TheFileHoldsNamesAndHashesAlone) {
     EXPECT_EQ(whole.substr(0, whole.find("hand")).substr(0, 500), stripes.substr(0, 500));
 }
 
+// R-1107: who has the records extends the file, whether it is to hold them or not; another record is named.
+TEST_F(Withheld, TheFileIsExtended) {
+    auto const more = [](std::string text) { return text.replace(text.find("0.5,1,2"), 7, "0.5,1,1.5,2"); };
+    auto const extend = [&](std::string const& text) {
+        folder.write("c.toml", text);
+        return overturn(folder, {"run", "c.toml", "-o", "away/c.h5", "--extend"});
+    };
+    for (auto const& text : {more(campaign("hash-only")), more(campaign("stored")), more(campaign("hash-only"))}) {
+        auto const ended = extend(text);
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "once.h5"}).code, 0);
+        EXPECT_TRUE(folder.read("away/c.h5") == folder.read("once.h5"));
+        fs::remove(folder / "once.h5");
+    }
+    folder.write("two.csv", record(701));
+    auto const refused = extend(more(campaign("hash-only")));
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("file two.csv changed"), std::string::npos) << refused.err;
+}
+
 // who has no record counts recordings as who has them.
 TEST_F(Withheld, ComponentsOfOneStationAreOneSampleStill) {
     auto const peer = [](int component, int station) {
