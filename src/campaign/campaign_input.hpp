@@ -13,6 +13,14 @@
 
 namespace overturn {
 
+/// A record, wherever it stands among the others.
+struct RecordIdentity {
+    std::string name;  ///< of its first file, for messages
+    std::string text;  ///< all that the campaign states of it
+
+    friend bool operator==(RecordIdentity const& a, RecordIdentity const& b) { return a.text == b.text; }
+};
+
 /// The campaign file as written, the settings on top of it, and every file it names.
 struct CampaignInput {
     std::string name;                          ///< for messages
@@ -33,8 +41,8 @@ struct CampaignInput {
     /// SHA-256 of text, settings and files; neither the name nor program, machine and libraries count.
     [[nodiscard]] std::string sha256() const;
     /// Key of finished blocks: every value that may decide a row or the waves of a block, the files, the program, the
-    /// kind of machine and the libraries. Comments, confidence, beta_U, the cover's text (title, question, signatures),
-    /// the hazard curve and whether inputs are stored do not count: they move no row.
+    /// kind of machine and the libraries. Comments, units of values, confidence, beta_U, the cover's text (title,
+    /// question, signatures), the hazard curve and whether inputs are stored do not count: they move no row.
     [[nodiscard]] std::string block_key() const;
 
     /// Name of the file of the seismic hazard curve; empty if the campaign states none. \throws InputError
@@ -44,12 +52,14 @@ struct CampaignInput {
     /// \throws SystemError if the bytes are no campaign
     [[nodiscard]] static CampaignInput deserialise(std::string_view bytes);
 
-    /// One line per difference between two inputs that block_key() knows: "bodies.b.friction was 0.5, is 0.6"; empty if
-    /// there is none.
+    /// One line per difference between two inputs that block_key() knows: "bodies[1].friction (b) was 0.5, is 0.6";
+    /// empty if there is none.
     [[nodiscard]] std::vector<std::string> differences(CampaignInput const& other) const;
     /// Those differences that forbid the other to use rows of this campaign: all but the number of waves, the choice of
-    /// levels and bodies, limits and statistics. A body that both have must be the same.
+    /// levels, bodies and records, limits and statistics. A body or record that both have must be the same.
     [[nodiscard]] std::vector<std::string> differences_of_rows(CampaignInput const& other) const;
+    /// The records, in their order; empty where its waves are none.
+    [[nodiscard]] std::vector<RecordIdentity> record_identities() const;
     /// Those differences that lie in the programs, the machines or the libraries.
     [[nodiscard]] std::vector<std::string> differences_of_program(CampaignInput const& other) const;
 };

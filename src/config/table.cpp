@@ -291,7 +291,7 @@ std::vector<Table> Table::children(std::string_view key) const {
         validate(node.is_array(), "{} (must be a list of tables). Write [[{}]]", kind_name(node), key);
         std::vector<Table> tables;
         for (auto const& element : *node.as_array()) {
-            validate(element.is_table(), "entry {} is {} (must be a table). Write [[{}]]", tables.size() + 1,
+            validate(element.is_table(), "{}[{}] is {} (must be a table). Write [[{}]]", key, tables.size(),
                      kind_name(element), key);
             tables.push_back(Table(node_->below(key, *element.as_table(), tables.size())));
         }

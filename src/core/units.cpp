@@ -200,4 +200,20 @@ double parse_quantity(std::string_view text, Dimension dimension) {
     return value * unit_factor(trimmed(text.substr(blank)), dimension);
 }
 
+std::optional<double> quantity_with_unit(std::string_view text) {
+    text = trimmed(text);
+    auto const blank = text.find_first_of(" \t");
+    double value = 0;
+    if (blank == std::string_view::npos || !parse_number(text.substr(0, blank), value)) {
+        return std::nullopt;
+    }
+    auto const symbol = trimmed(text.substr(blank));
+    for (auto const& unit : units) {  // no two dimensions share a symbol
+        if (same_ignoring_case(unit.symbol, symbol)) {
+            return value * unit.si;
+        }
+    }
+    return std::nullopt;
+}
+
 }  // namespace overturn

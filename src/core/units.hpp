@@ -2,6 +2,7 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -23,6 +24,9 @@ enum class Dimension { none, time, length, mass, inertia, velocity, acceleration
 /// The SI value of a text such as "117 t", "0.3 g" or "2.5" (a bare number is SI already).
 /// \throws InputError if the number or the unit cannot be read, or the number is not finite.
 [[nodiscard]] double parse_quantity(std::string_view text, Dimension dimension);
+
+/// The SI value of "1.36 m": a number, a blank and a unit of whatever dimension. Nothing for any other text.
+[[nodiscard]] std::optional<double> quantity_with_unit(std::string_view text);
 
 /// The SI symbol of a dimension ("m/s2"), "" for a pure number.
 [[nodiscard]] std::string_view si_symbol(Dimension dimension);

@@ -108,7 +108,7 @@ class Run {
         }
         require_shared(shards_, input_.block_key(), comm_);
         spec_.source->prepare(parallel::rows_of_ranks(comm_));
-        kept_ = kept_rows(found.at("kept").get<std::string>(), spec_, plan_);
+        kept_ = kept_rows(found.at("kept").get<std::string>(), input_, spec_, plan_);
         committed_ = take_blocks(options_.output, shards_, plan_, request, found.at("begun").get<bool>(), comm_);
         if (comm_.is_root()) {
             print_note("waves: {}\n", spec_.source->text());

@@ -1,11 +1,13 @@
 // Requirement R-1107: a campaign takes more waves, levels and bodies, other limits and other statistics: rows that are
 // there are kept, the rest is computed, and the file is that of the larger campaign run at once.
 #include <charconv>
+#include <cmath>
 #include <functional>
 
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
+#include "core/units.hpp"
 #include "store/results_file.hpp"
 #include "support/command.hpp"
 
@@ -160,6 +162,129 @@ TEST_F(Extend, ABodyFromAFile) {
     expect_as_at_once();
 }
 
+// R-1107, R-1103: of a body's file the values count, not its name, comments or units; a change is named by key and
+// value.
+TEST_F(Extend, OfABodysFileTheValuesCount) {
+    std::string const body = with(third_body, "[[bodies]]\nname='type-c'\n", "");
+    auto const named = [&](std::string const& file) {
+        return with(small_campaign("shared", 4), "[levels]",
+                    "[[bodies]]\nname='type-c'\nfile='" + file + "'\n[levels]");
+    };
+    folder.write("c-body.toml", body);
+    write(named("c-body.toml"));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    folder.write("other.toml", "# other\n" + with(with(body, "1.1 m", "110 cm"), "12.6 t", "12600 kg"));
+    write(named("other.toml"));
+    auto const same = extend(1);
+    ASSERT_EQ(same.code, 0) << same.err;
+    EXPECT_EQ(trials_answered(same.err), 0) << same.err;
+    expect_as_at_once();
+    folder.write("other.toml", with(body, "1.1 m", "1.2 m"));
+    auto const changed = extend(1);
+    EXPECT_EQ(changed.code, 2);
+    EXPECT_NE(changed.err.find("(base_width in other.toml (bodies[2], type-c) was '110 cm', is '1.2 m')"),
+              std::string::npos)
+        << changed.err;
+    auto const resumed = overturn(folder, {"run", "c.toml", "--resume"});
+    EXPECT_EQ(resumed.code, 2);
+    EXPECT_NE(resumed.err.find("was '110 cm', is '1.2 m'"), std::string::npos) << resumed.err;
+}
+
+// R-1107: a body that states no name is known by that of its file, wherever it stands.
+TEST_F(Extend, ABodyWithoutANameStandsAnywhere) {
+    auto const begin = third_body;
+    folder.write("one.toml", with(begin, "[[bodies]]\nname='type-c'\n", "name='one'\n"));
+    folder.write("two.toml", with(with(begin, "[[bodies]]\nname='type-c'\n", "name='two'\n"), "1.1 m", "1.2 m"));
+    auto const of = [](std::string const& bodies) {
+        auto text = small_campaign("shared", 4);
+        auto const first = text.find("[[bodies]]");
+        return text.replace(first, text.find("[levels]") - first, bodies);
+    };
+    for (auto const* bodies : {"[[bodies]]\nfile='two.toml'\n[[bodies]]\nfile='one.toml'\n",
+                               "[[bodies]]\nfile='one.toml'\n[[bodies]]\nfile='two.toml'\n"}) {
+        write(of("[[bodies]]\nfile='one.toml'\n"));
+        ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+        write(of(bodies));
+        auto const ended = extend(2);
+        ASSERT_EQ(ended.code, 0) << ended.err;
+        expect_as_at_once();
+        std::filesystem::remove(folder / "c.h5");
+    }
+}
+
+std::string wiggle(double amplitude_mps2, double radps) {
+    std::string text = "time_s,a_mps2\n";
+    for (int i = 0; i <= 800; ++i) {
+        double const t = 0.01 * i;
+        text += fmt::format("{:.2f},{:.6f}\n", t, amplitude_mps2 * std::sin(radps * t) * std::sin(pi * t / 8));
+    }
+    return text;
+}
+
+std::string campaign_of_records(std::string const& records, bool scatter) {
+    auto const body = [](char const* name, char const* more) {
+        return fmt::format(
+            "[[bodies]]\nname='{}'\nmass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\n"
+            "inertia='uniform-block'\n{}\n",
+            name, more);
+    };
+    return "seed=1\n[waves]\nsource='records'\n" + records + body("a", "friction=0.6")
+           + body("b", scatter ? "restitution={distribution='lognormal',median=0.85,beta=0.1}" : "restitution=0.85")
+           + "[levels]\nmeasure='pga'\nvalues=['300 gal','600 gal']\n";
+}
+
+// R-1107: records are known by what is stated of them: added at the end, before or between the others, as files or as
+// tables, no trial is answered again but those of a body that scatters and whose wave has another number.
+TEST_F(Extend, RecordsAreAddedAnywhere) {
+    for (int i = 1; i <= 4; ++i) {
+        folder.write(fmt::format("{}.csv", i), wiggle(3 + 0.3 * i, 4 + 0.7 * i));
+    }
+    auto const list = [](std::vector<int> const& numbers, bool tables) {
+        std::string text;
+        for (auto const i : numbers) {
+            text += fmt::format(fmt::runtime(tables ? "{{horizontal='{}.csv',scale=1.5}}," : "'{}.csv',"), i);
+        }
+        return fmt::format("{}=[{}]\n", tables ? "records" : "files", text);
+    };
+    struct Added {
+        std::vector<int> records;
+        int moved;  ///< of the first two
+    };
+    int ranks = 1;
+    for (bool const tables : {false, true}) {
+        for (bool const scatter : {false, true}) {
+            for (auto const& [records, moved] :
+                 {Added{{1, 2, 3, 4}, 0}, Added{{3, 1, 2}, 2}, Added{{1, 3, 2}, 1}, Added{{2, 1}, 2}}) {
+                SCOPED_TRACE(fmt::format("{} {} {}", tables, scatter, records.size()));
+                write(campaign_of_records(list({1, 2}, tables), scatter));
+                auto const begun = overturn(folder, {"run", "c.toml"});
+                ASSERT_EQ(begun.code, 0) << begun.err;
+                write(campaign_of_records(list(records, tables), scatter));
+                auto const ended = extend(ranks);
+                ASSERT_EQ(ended.code, 0) << ended.err;
+                int const fresh = static_cast<int>(records.size()) - 2;
+                EXPECT_EQ(trials_answered(ended.err), 4 * fresh + (scatter ? 2 * moved : 0)) << ended.err;
+                expect_as_at_once();
+                std::filesystem::remove(folder / "c.h5");
+                ranks = ranks % 3 + 1;
+            }
+        }
+    }
+    auto const refuse = [&](std::string const& records, std::string const& said) {
+        write(campaign_of_records(records, true));
+        auto const refused = extend(1);
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_NE(refused.err.find(said), std::string::npos) << refused.err;
+    };
+    write(campaign_of_records(list({1, 2}, true), true));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    refuse(list({2}, true), "finished rows would be lost (record 1.csv)");
+    refuse(with(list({3, 1, 2}, true), "'2.csv',scale=1.5", "'2.csv',scale=1.6"),
+           "of record 2.csv, waves.records[2].scale was 1.5, is 1.6");
+    folder.write("1.csv", wiggle(5, 5));
+    refuse(list({3, 1, 2}, true), "file 1.csv changed");
+}
+
 // R-1107: of a run that was not finished the blocks that fit are kept, whatever campaign comes next, and back again.
 TEST_F(Extend, UnfinishedRuns) {
     auto const begun = small_campaign("independent", 100);
@@ -249,7 +374,7 @@ TEST_F(Extend, UnfinishedRunsOfAnotherCampaign) {
     auto const ended = overturn(folder, {"run", "c.toml", "--resume"});
     EXPECT_EQ(ended.code, 2);
     EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
-    EXPECT_NE(ended.err.find("(bodies.type-a.friction was 0.5, is 0.6)"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find("(bodies[0].friction (type-a) was 0.5, is 0.6)"), std::string::npos) << ended.err;
     EXPECT_EQ(blocks_done(folder, "c.h5"), blocks);
 }
 
@@ -359,7 +484,7 @@ TEST_F(Extend, AnotherCampaignIsNamedByKeyAndValue) {
         EXPECT_NE(ended.err.find(said), std::string::npos) << ended.err;
         EXPECT_TRUE(folder.read("c.h5") == before);
     };
-    refuse("friction=0.5", "friction=0.6", "bodies.type-a.friction was 0.5, is 0.6)");
+    refuse("friction=0.5", "friction=0.6", "(bodies[0].friction (type-a) was 0.5, is 0.6)");
     refuse("seed  = 2013", "seed  = 2014", "seed was 2013, is 2014");
     refuse("waves='shared'", "waves='independent'", "levels.waves was 'shared', is 'independent'");
     write(small_campaign("shared", 8));

@@ -110,7 +110,7 @@ TEST_F(Resume, RefusesAnotherCampaign) {
     auto const key = overturn(folder, {"run", "c.toml", "--resume"});
     EXPECT_EQ(key.code, 2);
     EXPECT_TRUE(is_one_error_line(key.err));
-    EXPECT_NE(key.err.find("friction was 0.5, is 0.6"), std::string::npos) << key.err;
+    EXPECT_NE(key.err.find("friction (type-a) was 0.5, is 0.6"), std::string::npos) << key.err;
 
     folder.write("c.toml", small_campaign("independent", 100));
     auto const setting = overturn(folder, {"run", "c.toml", "--resume", "--set", "seed=3"});

@@ -23,6 +23,10 @@ std::vector<std::string> names_of(std::vector<BodySpec> const& bodies) {
     return names;
 }
 
+bool any_scatters(std::vector<BodySpec> const& bodies) {
+    return std::ranges::any_of(bodies, [](BodySpec const& body) { return !body.scattering().empty(); });
+}
+
 template <class Row> void copy_rows(std::vector<Row> const& from, std::int64_t first, std::int64_t count, auto& to) {
     auto const begin = from.begin() + first;
     to.insert(to.end(), begin, begin + count);
@@ -31,7 +35,7 @@ template <class Row> void copy_rows(std::vector<Row> const& from, std::int64_t f
 }  // namespace
 
 EarlierRows::EarlierRows(std::string place, CampaignInput const& input)
-    : place_(std::move(place)), spec_(parse_campaign(input)), plan_(spec_) {}
+    : place_(std::move(place)), records_(input.record_identities()), spec_(parse_campaign(input)), plan_(spec_) {}
 
 void EarlierRows::index(std::vector<std::int64_t> const& ids) {
     for (std::size_t i = 0; i < ids.size(); ++i) {
@@ -91,14 +95,16 @@ BlockRows UnfinishedRows::rows(std::int64_t first, std::int64_t count) const {
     return all;
 }
 
-KeptRows::KeptRows(CampaignSpec const& spec, Plan const& plan, std::vector<std::unique_ptr<EarlierRows>> earlier)
+KeptRows::KeptRows(CampaignSpec const& spec, Plan const& plan, std::vector<RecordIdentity> const& records,
+                   std::vector<std::unique_ptr<EarlierRows>> earlier)
     : spec_(spec), plan_(plan) {
     for (auto& rows : earlier) {
-        sources_.push_back(source_of(std::move(rows)));
+        sources_.push_back(source_of(std::move(rows), records));
     }
 }
 
-KeptRows::Source KeptRows::source_of(std::unique_ptr<EarlierRows> rows) const {
+KeptRows::Source KeptRows::source_of(std::unique_ptr<EarlierRows> rows,
+                                     std::vector<RecordIdentity> const& records) const {
     Source source;
     auto const& there = rows->spec();
     // Rules look at every body's band, and of a site other bodies are a part.
@@ -113,8 +119,26 @@ KeptRows::Source KeptRows::source_of(std::unique_ptr<EarlierRows> rows) const {
     for (auto const& level : spec_.levels.levels) {
         source.levels.push_back(level_there(there.levels, level.value));
     }
+    auto const& recorded = rows->records();
+    for (std::size_t i = 0; i < records.size(); ++i) {
+        auto const found = i < recorded.size() && recorded[i] == records[i]
+                               ? recorded.begin() + static_cast<std::ptrdiff_t>(i)
+                               : std::ranges::find(recorded, records[i]);
+        source.waves.push_back(found == recorded.end() ? std::nullopt : std::optional(found - recorded.begin()));
+    }
     source.rows = std::move(rows);
     return source;
+}
+
+std::optional<std::int64_t> KeptRows::place_in(Source const& source, std::int64_t wave) const {
+    auto const id = static_cast<std::int64_t>(plan_.wave_id(wave));
+    auto const there = source.waves.empty() ? std::optional(id) : source.waves.at(id);
+    return there ? source.rows->find(*there) : std::nullopt;
+}
+
+bool KeptRows::keeps_number(Source const& source, std::int64_t wave) const {
+    auto const id = static_cast<std::int64_t>(plan_.wave_id(wave));
+    return source.waves.empty() || source.waves.at(id) == id;
 }
 
 // What scatters is drawn by the body's place, and where it is sliced by the number of waves.
@@ -130,9 +154,9 @@ bool KeptRows::has_levels(Source const& source, std::int64_t wave) const {
 
 KeptRows::Found KeptRows::whole_wave(std::int64_t wave) const {
     for (auto const& source : sources_) {
-        auto const place = source.whole && has_levels(source, wave)
-                               ? source.rows->find(static_cast<std::int64_t>(plan_.wave_id(wave)))
-                               : std::nullopt;
+        bool const drawn_alike = keeps_number(source, wave) || !any_scatters(spec_.bodies);
+        auto const place =
+            source.whole && drawn_alike && has_levels(source, wave) ? place_in(source, wave) : std::nullopt;
         if (place) {
             return {&source, *place};
         }
@@ -153,11 +177,10 @@ bool KeptRows::has_all(std::int64_t block) const {
 bool KeptRows::has_some(std::int64_t block) const {
     auto const [first, count] = plan_.waves_of_block(block);
     for (auto wave = first; wave < first + count; ++wave) {
-        auto const id = static_cast<std::int64_t>(plan_.wave_id(wave));
         for (auto const& source : sources_) {
             auto const has = [](auto const& place) { return place.has_value(); };
             auto const level = source.levels.begin() + plan_.first_level(wave);
-            if (source.rows->find(id) && std::ranges::any_of(source.bodies, has)
+            if (place_in(source, wave) && std::ranges::any_of(source.bodies, has)
                 && std::any_of(level, level + plan_.level_count(), has)) {
                 return true;
             }
@@ -206,14 +229,17 @@ void KeptRows::append(BlockRows& block, std::int64_t first_wave, Found const& fr
     auto const& plan = from.source->rows->plan();
     auto const bytes = plan_.extra_bytes();
     auto const rows = from.source->rows->rows(from.place, count);
-    block.waves.insert(block.waves.end(), rows.waves.begin(), rows.waves.end());
     for (std::int64_t w = 0; w < count; ++w) {
+        auto const id = static_cast<std::int64_t>(plan_.wave_id(first_wave + w));
+        block.waves.push_back(rows.waves[w]);
+        block.waves.back().id = id;
         for (std::int64_t b = 0; b < plan_.bodies(); ++b) {
             block.measures.push_back(rows.measures[w * plan.bodies() + *from.source->bodies[b]]);
             for (std::int64_t l = 0; l < plan_.level_count(); ++l) {
                 auto const place = w * plan.trials_per_wave()
                                    + static_cast<std::int64_t>(*trial_in(*from.source, first_wave + w, b, l));
                 block.trials.rows.push_back(rows.trials.rows[place]);
+                block.trials.rows.back().wave = id;
                 block.trials.rows.back().body = b;
                 block.trials.rows.back().level = plan_.first_level(first_wave + w) + l;
                 copy_rows(rows.trials.extra, place * bytes, bytes, block.trials.extra);
@@ -241,6 +267,7 @@ void KeptRows::put(KnownWave& known, std::int64_t wave, Found const& from) const
     auto const& there = read(from);
     auto const first = (from.place - there.first) * plan.trials_per_wave();
     known.row = there.rows.waves[from.place - there.first];
+    known.row.id = static_cast<std::int64_t>(plan_.wave_id(wave));
     for (std::int64_t t = 0; t < plan_.trials_per_wave(); ++t) {
         auto const place = trial_in(*from.source, wave, t / plan_.level_count(), t % plan_.level_count());
         if (!place || known.known[t]) {
@@ -257,7 +284,7 @@ std::optional<KnownWave> KeptRows::of(std::int64_t wave) const {
     std::optional<KnownWave> known;
     std::size_t const trials = plan_.trials_per_wave();
     for (auto const& source : sources_) {
-        if (auto const place = source.rows->find(static_cast<std::int64_t>(plan_.wave_id(wave)))) {
+        if (auto const place = place_in(source, wave)) {
             if (!known) {
                 known.emplace(
                     KnownWave{{},

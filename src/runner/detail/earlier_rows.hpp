@@ -35,6 +35,8 @@ class EarlierRows {
     [[nodiscard]] Plan const& plan() const { return plan_; }
     /// Waves that are there.
     [[nodiscard]] std::int64_t count() const { return std::ssize(places_); }
+    /// CampaignInput::record_identities()
+    [[nodiscard]] std::vector<RecordIdentity> const& records() const { return records_; }
     /// Place of the wave with that identity among those that are there.
     [[nodiscard]] std::optional<std::int64_t> find(std::int64_t wave_id) const;
     /// Rows of consecutive waves, as the earlier campaign numbers bodies and levels.
@@ -49,6 +51,7 @@ class EarlierRows {
 
   private:
     std::string place_;
+    std::vector<RecordIdentity> records_;
     CampaignSpec spec_;
     Plan plan_;
     std::vector<std::pair<std::int64_t, std::int64_t>> places_;  ///< by identity
@@ -81,8 +84,9 @@ class UnfinishedRows : public EarlierRows {
 /// Rows of earlier campaigns that a larger one can use.
 class KeptRows : public KnownTrials {
   public:
-    /// \param spec and `plan` outlive it
-    KeptRows(CampaignSpec const& spec, Plan const& plan, std::vector<std::unique_ptr<EarlierRows>> earlier);
+    /// \param spec and `plan` outlive it \param records CampaignInput::record_identities()
+    KeptRows(CampaignSpec const& spec, Plan const& plan, std::vector<RecordIdentity> const& records,
+             std::vector<std::unique_ptr<EarlierRows>> earlier);
 
     /// Can all rows of the block be taken, unseen?
     [[nodiscard]] bool has_all(std::int64_t block) const;
@@ -100,6 +104,7 @@ class KeptRows : public KnownTrials {
     struct Source {
         std::unique_ptr<EarlierRows> rows;
         std::vector<std::optional<std::int64_t>> bodies, levels;
+        std::vector<std::optional<std::int64_t>> waves;  ///< where these are records, which may stand elsewhere
         bool whole = false;  ///< all bodies drawn as before, and rows of waves depend on no other body
     };
     /// The last waves that were read of one of them.
@@ -112,7 +117,11 @@ class KeptRows : public KnownTrials {
         Source const* source = nullptr;
         std::int64_t place = 0;
     };
-    [[nodiscard]] Source source_of(std::unique_ptr<EarlierRows> rows) const;
+    [[nodiscard]] Source source_of(std::unique_ptr<EarlierRows> rows, std::vector<RecordIdentity> const& records) const;
+    /// Place of one of this plan's waves.
+    [[nodiscard]] std::optional<std::int64_t> place_in(Source const& source, std::int64_t wave) const;
+    /// Is it the wave of that number there too, by which bodies are drawn?
+    [[nodiscard]] bool keeps_number(Source const& source, std::int64_t wave) const;
     [[nodiscard]] bool draws_as_before(EarlierRows const& rows, std::size_t body, std::int64_t there) const;
     [[nodiscard]] bool has_levels(Source const& source, std::int64_t wave) const;
     [[nodiscard]] Found whole_wave(std::int64_t wave) const;

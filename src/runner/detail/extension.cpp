@@ -72,7 +72,8 @@ void check_against(BlockRows const& stored, std::string const& place, CampaignSp
 // Computed rows of a campaign: how many waves of a group, and levels of how many.
 struct Held {
     std::int64_t waves = 0;
-    std::set<std::int64_t> groups;  ///< that have some
+    std::set<std::int64_t> groups;   ///< that have some
+    std::set<std::int64_t> records;  ///< of them, where waves are records
 };
 
 // By the names of the blocks; where a rule refuses waves those that it accepts count, as they do in a finished file.
@@ -87,6 +88,9 @@ Held held_by(CampaignSpec const& spec, Plan const& plan, store::ShardFolder cons
         for (auto wave = first; wave < first + count; ++wave) {
             auto const group = plan.group_of(wave);
             held.groups.insert(group);
+            if (spec.source->about().available) {
+                held.records.insert(wave);
+            }
             auto& of_group = accepted[group];
             of_group = !acceptance.refuses()                            ? wave % plan.drawn_per_group() + 1
                        : is_tried(acceptance, rows.waves[wave - first]) ? of_group + 1
@@ -133,13 +137,32 @@ Json usable_aside(store::ShardFolder const& shards, CampaignInput const& input) 
     return found;
 }
 
-// What is held of one campaign and another does not ask for.
-std::vector<std::string> lost_rows(Held const& held, CampaignSpec const& before, CampaignSpec const& now) {
+// Records that one campaign holds rows of and another has no more, or not among those that count.
+std::vector<std::string> lost_records(Held const& held, CampaignInput const& before, CampaignInput const& now,
+                                      std::int64_t count) {
+    auto const there = before.record_identities();
+    auto const here = now.record_identities();
     std::vector<std::string> lost;
-    if (held.groups.empty()) {
-        return lost;
+    for (auto const wave : held.records) {
+        auto const& record = there.at(wave);
+        auto const found = std::ranges::find(here, record);
+        if (found == here.end() || found - here.begin() >= count) {
+            lost.push_back(fmt::format("record {}", record.name));
+        }
     }
-    if (held.waves > now.wave_count) {
+    return lost;
+}
+
+// What is held of one campaign and another does not ask for.
+std::vector<std::string> lost_rows(Held const& held, CampaignInput const& begun, CampaignInput const& input) {
+    auto const before = parse_campaign(begun);
+    auto const now = parse_campaign(input);
+    if (held.groups.empty()) {
+        return {};
+    }
+    auto const is_recorded = !begun.record_identities().empty();
+    auto lost = is_recorded ? lost_records(held, begun, input, now.wave_count) : std::vector<std::string>{};
+    if (!is_recorded && held.waves > now.wave_count) {
         lost.push_back(fmt::format("waves.count is {}, {} waves are there", now.wave_count, held.waves));
     }
     auto const& levels = before.levels.levels;
@@ -160,9 +183,14 @@ std::vector<std::string> lost_rows(Held const& held, CampaignSpec const& before,
 
 Held held_in(store::ResultsReader const& file, CampaignSpec const& spec) {
     auto const plan = plan_in(file, spec);
-    Held held{.waves = plan.chosen_per_group(), .groups = {}};
+    Held held;
+    held.waves = plan.chosen_per_group();
     for (std::int64_t group = 0; group < plan.groups(); ++group) {
         held.groups.insert(group);
+    }
+    if (spec.source->about().available) {
+        auto const ids = file.integers("waves/id");
+        held.records.insert(ids.begin(), ids.end());
     }
     return held;
 }
@@ -188,8 +216,7 @@ bool can_be_extended(std::filesystem::path const& output, CampaignInput const& i
     auto const before = input_of(file);
     refuse_barred(output.string(), bars_between(before, input));
     if (!may_shrink) {
-        auto const spec = parse_campaign(before);
-        refuse_lost(output.string(), lost_rows(held_in(file, spec), spec, parse_campaign(input)));
+        refuse_lost(output.string(), lost_rows(held_in(file, parse_campaign(before)), before, input));
     }
     return true;
 }
@@ -207,12 +234,11 @@ bool can_take_over(store::ShardFolder const& shards, CampaignInput const& begun,
              "another -o",
              shards.folder().string(), fmt::join(begun.differences(input), "; "));
     if (!may_shrink) {
-        auto const now = parse_campaign(input);
-        refuse_lost(shards.folder().string(), lost_rows(held_in(shards, begun), parse_campaign(begun), now));
+        refuse_lost(shards.folder().string(), lost_rows(held_in(shards, begun), begun, input));
         for (auto const& output : shards.aside()) {
             auto const aside = CampaignInput::deserialise(store::ShardFolder(output, "").begun_with());
-            refuse_lost(output.string(), lost_rows(held_in(store::ShardFolder(output, aside.block_key()), aside),
-                                                   parse_campaign(aside), now));
+            refuse_lost(output.string(),
+                        lost_rows(held_in(store::ShardFolder(output, aside.block_key()), aside), aside, input));
         }
     }
     return true;
@@ -251,7 +277,7 @@ KeptPlaces take_known_blocks(std::filesystem::path const& output, CampaignInput 
         return kept;
     }
     kept.text = Json{{"file", finished ? output.string() : ""}, {"aside", aside}}.dump();
-    auto const rows = kept_rows(kept.text, spec, plan);
+    auto const rows = kept_rows(kept.text, input, spec, plan);
     std::vector<std::string> notes;
     auto const there = shards.committed({0, plan.blocks()}, notes,
                                         [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
@@ -281,7 +307,8 @@ KeptPlaces take_known_blocks(std::filesystem::path const& output, CampaignInput 
     return kept;
 }
 
-std::unique_ptr<KeptRows> kept_rows(std::string const& text, CampaignSpec const& spec, Plan const& plan) {
+std::unique_ptr<KeptRows> kept_rows(std::string const& text, CampaignInput const& input, CampaignSpec const& spec,
+                                    Plan const& plan) {
     if (text.empty()) {
         return nullptr;
     }
@@ -296,7 +323,7 @@ std::unique_ptr<KeptRows> kept_rows(std::string const& text, CampaignSpec const&
         earlier.push_back(std::make_unique<UnfinishedRows>(store::ShardFolder(output, begun.block_key()), begun,
                                                            each.at("blocks").get<std::vector<std::int64_t>>()));
     }
-    return std::make_unique<KeptRows>(spec, plan, std::move(earlier));
+    return std::make_unique<KeptRows>(spec, plan, input.record_identities(), std::move(earlier));
 }
 
 }  // namespace overturn

@@ -50,6 +50,7 @@ struct KeptPlaces {
                                            store::ShardFolder const& shards);
 
 /// The rest of it, for whoever computes the other blocks. \param text of KeptPlaces; empty: nothing is known
-[[nodiscard]] std::unique_ptr<KeptRows> kept_rows(std::string const& text, CampaignSpec const& spec, Plan const& plan);
+[[nodiscard]] std::unique_ptr<KeptRows> kept_rows(std::string const& text, CampaignInput const& input,
+                                                  CampaignSpec const& spec, Plan const& plan);
 
 }  // namespace overturn
