@@ -494,6 +494,26 @@ TEST_F(Extend, AnotherCampaignIsNamedByKeyAndValue) {
     EXPECT_NE(file.err.find("file target.csv changed"), std::string::npos) << file.err;
 }
 
+// R-1103: of another program's file is named by what the program differs.
+TEST_F(Extend, AnotherProgramIsNamedByWhatDiffers) {
+    for (char const* golden : {"results-4", "results-5"}) {
+        ASSERT_EQ(
+            execute(folder, {"/bin/sh", "-c", fmt::format("gzip -dc '{}/{}.h5.gz' > c.h5", OVERTURN_GOLDEN, golden)})
+                .code,
+            0);
+        auto const of_file = store::ResultsReader(folder / "c.h5").text("sources_sha256");
+        write(small_campaign("shared", 4));
+        auto const ended = extend(1);
+        EXPECT_EQ(ended.code, 2);
+        EXPECT_TRUE(is_one_error_line(ended.err)) << ended.err;
+        EXPECT_NE(
+            ended.err.find(fmt::format("sources {}, this is ", of_file.empty() ? "not named" : of_file.substr(0, 12))),
+            std::string::npos)
+            << ended.err;
+        EXPECT_EQ(ended.err.find("GSL"), std::string::npos) << ended.err;
+    }
+}
+
 // R-1107: bodies drawn in slices of all waves change with their number, the others do not.
 TEST_F(Extend, SlicedBodiesAreDrawnAnew) {
     auto const sliced = [](int count) {

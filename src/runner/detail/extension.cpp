@@ -52,6 +52,44 @@ void refuse_barred(std::string const& place, std::vector<std::string> const& bar
              place, fmt::join(bars, "; "));
 }
 
+std::vector<std::string> parts_of_list(std::string const& list) {
+    std::vector<std::string> parts;
+    constexpr std::string_view comma = ", ";
+    for (std::size_t begin = 0; begin <= list.size();) {
+        auto const end = std::min(list.find(comma, begin), list.size());
+        parts.push_back(list.substr(begin, end - begin));
+        begin = end + comma.size();
+    }
+    return parts;
+}
+
+// Of two lists of libraries those that only the first has.
+std::string libraries_apart(std::string const& list, std::string const& other) {
+    auto parts = parts_of_list(list);
+    auto const others = parts_of_list(other);
+    std::erase_if(parts, [&](std::string const& part) { return std::ranges::find(others, part) != others.end(); });
+    return parts.empty() ? "none of these" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+// By which a finished file's program is another one than this.
+std::vector<std::string> differences_of_program(store::ResultsReader const& file) {
+    std::vector<std::string> found;
+    auto const add = [&](std::string_view what, std::string const& there, std::string const& here) {
+        if (there != here) {
+            found.push_back(fmt::format("{}{}, this is {}", what, there.empty() ? "not named" : there, here));
+        }
+    };
+    constexpr std::size_t digits = 12;
+    auto const libraries = file.text("library_versions");
+    add("overturn ", file.text("program_version"), program_version());
+    add("sources ", file.text("sources_sha256").substr(0, digits), sources_sha256().substr(0, digits));
+    if (libraries != library_versions()) {
+        found.push_back(fmt::format("with {}, this has {}", libraries_apart(libraries, library_versions()),
+                                    libraries_apart(library_versions(), libraries)));
+    }
+    return found;
+}
+
 // What a key decides that nobody thought of would show here.
 void check_against(BlockRows const& stored, std::string const& place, CampaignSpec const& spec, Plan const& plan,
                    std::int64_t block) {
@@ -208,11 +246,11 @@ bool can_be_extended(std::filesystem::path const& output, CampaignInput const& i
         return false;
     }
     store::ResultsReader const file(output);
-    validate(file.text("program_version") == program_version() && file.text("sources_sha256") == sources_sha256()
-                 && file.text("library_versions") == library_versions(),
-             "{}: made by overturn {} with {} (rows of another program are not mixed with this one's). Start anew with "
-             "another -o",
-             output.string(), file.text("program_version"), file.text("library_versions"));
+    auto const others = differences_of_program(file);
+    validate(others.empty(),
+             "{}: made by another program ({}; their rows are not mixed). Extend it with that program, or start anew "
+             "with another -o",
+             output.string(), fmt::join(others, "; "));
     auto const before = input_of(file);
     refuse_barred(output.string(), bars_between(before, input));
     if (!may_shrink) {
