@@ -131,7 +131,8 @@ std::string so_far(CampaignSpec const& spec, Plan const& plan, store::ShardFolde
            + failed.text();
 }
 
-// \param cheap blocks are known by the names of their files, unless a rule for waves asks for their rows
+// \param cheap blocks are known by the names of their files, unless a rule for waves asks for their rows, or all are
+// there: what is damaged cannot be merged
 struct Unfinished {
     Unfinished(std::string const& path, CampaignInput begun, bool cheap)
         : input(std::move(begun)),
@@ -139,21 +140,27 @@ struct Unfinished {
           plan(spec),
           shards(path, input.block_key()),
           waves(spec, plan),
-          committed(cheap && !waves.needs_rows() ? shards.listed({0, plan.blocks()})
-                                                 : sound_blocks(shards, plan, {0, plan.blocks()})),
-          under_way(store::BlockLock::held(shards.folder())) {}
+          under_way(store::BlockLock::held(shards.folder())) {
+        store::BlockRange const all{0, plan.blocks()};
+        if (cheap && !waves.needs_rows()) {
+            committed = shards.listed(all);
+        }
+        if (!cheap || waves.needs_rows() || (std::ssize(committed) == plan.blocks() && !under_way)) {
+            committed = sound_blocks(shards, plan, all);
+        }
+    }
 
     CampaignInput input;
     CampaignSpec spec;
     Plan plan;
     store::ShardFolder shards;
     AcceptedWaves waves;
-    std::vector<std::int64_t> committed;
     bool under_way;
+    std::vector<std::int64_t> committed;
 };
 
 StatusReport report_of_run(Unfinished& run, std::string const& path, std::string_view flag) {
-    auto& [input, spec, plan, shards, waves, committed, under_way] = run;
+    auto& [input, spec, plan, shards, waves, under_way, committed] = run;
     take_rows(waves, plan, shards, committed);
     auto const left = waves.wanted(plan.count());
     bool const to_merge = left.empty() && !spec.rare && flag == "--resume";
@@ -195,7 +202,8 @@ std::optional<StatusReport> report_of_extension(std::string const& path, bool ch
         return std::nullopt;
     }
     Unfinished run(path, std::move(larger), cheap);
-    if (run.committed.empty() && !run.under_way) {  // begun and refused, or killed before its first block
+    if (run.committed.empty() && !run.under_way
+        && run.shards.aside().empty()) {  // begun and refused, or killed before its first block
         return std::nullopt;
     }
     auto report = report_of_run(run, path, "--extend");
@@ -244,7 +252,7 @@ void add_status(CommandLine& line) {
     auto unverified = std::make_shared<Unverified>();
     verb.needs("file", *path, "results file");
     auto json = std::make_shared<bool>(false);
-    verb.takes("--json", *json, "as JSON; blocks of an unfinished run are counted but not read");
+    verb.takes("--json", *json, "as JSON; blocks of an unfinished run are counted, and read where all are there");
     unverified->offered_by(verb);
     verb.does([path, unverified, json] { return status(*path, *unverified, *json); });
 }

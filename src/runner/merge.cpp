@@ -187,15 +187,16 @@ CampaignInput begun_campaign(std::filesystem::path const& output) {
 
 MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator const& comm,
                      MergeOptions const& options) {
+    constexpr std::string_view extension_begun = "extension";
     StopPolicy const stop_policy(options.max_walltime_s);
     Watchdog const watchdog(stop_policy, comm);
     std::optional<store::BlockLock> lock;
     auto const begun = broadcast_from_root(comm, [&] {
         if (std::filesystem::exists(output)) {
             store::ResultsReader const file(output);
-            check_complete(output, input_of(file));
-            fmt::print("{}: complete already, nothing to do\n", output.string());
-            return std::string();
+            bool const extended = check_complete(output, input_of(file));
+            fmt::print("{}: complete already, nothing to {}\n", output.string(), extended ? "merge yet" : "do");
+            return std::string(extended ? extension_begun : "");
         }
         store::ShardFolder const unnamed(output, "");
         require_begun(unnamed, output);
@@ -205,8 +206,8 @@ MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator
         require_same_program(input, output);
         return input.serialise();
     });
-    if (begun.empty()) {
-        return MergeEnd::complete;
+    if (begun.empty() || begun == extension_begun) {
+        return begun.empty() ? MergeEnd::complete : MergeEnd::missing;
     }
     auto const input = CampaignInput::deserialise(begun);
     auto const spec = parse_campaign(input);

@@ -50,7 +50,7 @@ struct BlocksToMerge {
                                 std::function<void(std::string const& tables)> const& show,
                                 std::span<RareBody const> rare = {}, MergeOptions const& options = {});
 
-/// End of merging the parts of an array job.
+/// End of merging the parts of an array job; of a file that is there, `missing` where its extension is not complete.
 enum class MergeEnd { complete, missing };
 
 /// Merges what `overturn run --part` or `--leave-blocks` left beside `output`, however many parts it was. Prints the

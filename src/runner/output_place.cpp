@@ -16,6 +16,7 @@
 #include "core/print_note.hpp"
 #include "results/recount.hpp"
 #include "runner/detail/extension.hpp"
+#include "runner/merge.hpp"
 #include "runner/root_broadcast.hpp"
 #include "store/durable.hpp"
 #include "store/kept_blocks.hpp"
@@ -86,6 +87,18 @@ bool are_leftovers(store::ShardFolder const& shards, CampaignInput const& input)
     std::vector<std::string> notes;
     (void)shards.committed({0, std::numeric_limits<std::int64_t>::max()}, notes);
     return notes.empty();
+}
+
+// A larger campaign of which some blocks are there, beside the file whose rows it takes.
+std::optional<CampaignInput> unfinished_extension(store::ShardFolder const& shards, CampaignInput const& made_from) {
+    try {
+        auto begun = begun_there(shards);
+        bool const is_other = begun && begun->block_key() != made_from.block_key();
+        return is_other && made_from.differences_of_rows(*begun).empty() && shards.holds_blocks() ? std::move(begun)
+                                                                                                  : std::nullopt;
+    } catch (SystemError const&) {
+        return std::nullopt;  // a damaged record
+    }
 }
 
 std::vector<std::int64_t> committed_in(store::ShardFolder const& shards, Plan const& plan, store::BlockRange range,
@@ -162,7 +175,7 @@ void warn_of_little_space(std::filesystem::path const& output, Plan const& plan,
     }
 }
 
-void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool locked) {
+bool check_complete(std::filesystem::path const& output, CampaignInput const& input, bool locked) {
     store::ResultsReader const file(output);
     auto const made_from = input_of(file);
     bool const only_more = made_from.differences_of_rows(input).empty();
@@ -175,15 +188,20 @@ void check_complete(std::filesystem::path const& output, CampaignInput const& in
              only_more ? "Use --extend, which keeps its rows, or name another" : "Name another");
     store::ShardFolder const shards(output, input.block_key());
     if (!shards.exists() || !(locked || becomes_free(shards))) {
-        return;
+        return false;
     }
-    bool const leftovers = are_leftovers(shards, input);
-    if (leftovers) {
+    auto const larger = unfinished_extension(shards, made_from);
+    if (larger) {
+        print_note("{}: an extension of {} is not complete, {} blocks of it are done. Go on with: {}\n",
+                   shards.folder().string(), output.string(), store::blocks_beside(output),
+                   resume_command(*larger, output, "--extend"));
+    } else if (are_leftovers(shards, input)) {
         shards.remove();
+        print_note("{}: blocks left over (merged already). Removed\n", shards.folder().string());
+    } else {
+        print_note("{}: what lies there is not of this file. Left alone\n", shards.folder().string());
     }
-    print_note(
-        "{}: {}\n", shards.folder().string(),
-        leftovers ? "blocks left over (merged already). Removed" : "what lies there is not of this file. Left alone");
+    return larger.has_value();
 }
 
 OutputState lock_output(std::filesystem::path const& output, store::ShardFolder const& shards,
@@ -215,7 +233,7 @@ OutputState lock_output(std::filesystem::path const& output, store::ShardFolder 
     }
     refuse_taken();  // another run may have finished meanwhile
     if (std::filesystem::exists(output) && (!extends || is_same_campaign(output, input))) {
-        check_complete(output, input, lock.has_value());
+        (void)check_complete(output, input, lock.has_value());
         return {.complete = true};
     }
     auto const begun = sound_record(shards, input, request.resume);

@@ -63,7 +63,7 @@ void take_rows(AcceptedWaves& waves, Plan const& drawn, store::ShardFolder const
 
 /// The finished file at `output` is that of this campaign: what is left of its shards goes, unless the run that wrote
 /// it is still at that. \param locked this process holds the lock of the shards \throws InputError if it is
-/// another's, or no results file
-void check_complete(std::filesystem::path const& output, CampaignInput const& input, bool locked = false);
+/// another's, or no results file \return whether an extension of it has been begun
+bool check_complete(std::filesystem::path const& output, CampaignInput const& input, bool locked = false);
 
 }  // namespace overturn

@@ -460,6 +460,14 @@ TEST_F(Extend, AKillLosesNothing) {
     EXPECT_EQ(extension["blocks"]["done"], blocks_done(folder, "c.h5"));
     EXPECT_EQ(extension["blocks"]["done"].get<int>() + extension["blocks"]["left"].get<int>(), 120);
     EXPECT_TRUE(extension["waves_left"].is_string());
+    auto const merged = overturn(folder, {"merge", "c.h5"});
+    EXPECT_EQ(merged.code, 3);
+    EXPECT_NE(merged.err.find("an extension of c.h5 is not complete"), std::string::npos) << merged.err;
+    write(small_campaign("shared", 20));
+    auto const smaller = overturn(folder, {"run", "c.toml", "--resume"});
+    EXPECT_EQ(smaller.code, 0);
+    EXPECT_NE(smaller.err.find("Go on with: overturn run c.toml -o c.h5 --extend"), std::string::npos) << smaller.err;
+    write(small_campaign("shared", 120));
     auto const early = overturn(folder, {"run", "c.toml", "--extend", "--max-walltime", "0.05 s"});
     EXPECT_EQ(early.code, 3);
     EXPECT_NE(early.err.find("-o c.h5 --extend"), std::string::npos) << early.err;

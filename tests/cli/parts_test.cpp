@@ -174,6 +174,9 @@ TEST_F(Parts, DamagedBlockIsComputedAgain) {
 
     auto const refused = merge();
     EXPECT_EQ(refused.code, 3);
+    auto const told = nlohmann::json::parse(overturn(folder, {"status", "c.h5", "--json"}).out);
+    EXPECT_EQ(told["blocks"]["left"], 1);
+    EXPECT_TRUE(told["next"].get<std::string>().starts_with("overturn run c.toml -o c.h5 --resume")) << told["next"];
     EXPECT_EQ(times(refused.err, "0000000004.block: damaged"), 1) << refused.err;
     EXPECT_EQ(times(refused.err, "notes.block: not a block of this run"), 1) << refused.err;
     EXPECT_NE(refused.err.find("waves 4 to 4 are missing"), std::string::npos) << refused.err;
