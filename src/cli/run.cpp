@@ -113,8 +113,10 @@ void add_run(CommandLine& line) {
     verb.needs("campaign", options->campaign, "campaign file (TOML)");
     verb.takes("-o,--output", options->output, "results file; default: NAME.h5 of NAME.toml, in the current folder");
     verb.takes("--resume", options->resume, "continue an interrupted run");
-    verb.takes("--extend", options->extend,
-               "add waves, levels, bodies, limits or statistics to the finished file at -o; its rows are kept");
+    verb.takes(
+        "--extend", options->extend,
+        "add waves, levels, bodies, limits or statistics to the finished file at -o; its rows are kept. One run does "
+        "it: not with --part or --leave-blocks");
     verb.takes("--shrink", options->shrink,
                "with --extend or --resume: give up waves, levels and bodies that the campaign does not hold any more");
     verb.takes("--set", options->settings, "override keys: waves.count=50 bodies.0.friction=0.4", "KEY=VALUE ...");

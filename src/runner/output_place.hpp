@@ -32,7 +32,7 @@ struct OutputRequest {
 
 /// Looks at the place, refuses what must not be touched, locks the part's blocks and begins the shard folder. Parts of
 /// one campaign share the folder. \param lock holds the blocks from here on \throws InputError if something is there
-/// and `resume` is off, it belongs to another campaign, or another run is writing there
+/// and `resume` is off, or it belongs to another campaign; SystemError if another run is writing there
 [[nodiscard]] OutputState lock_output(std::filesystem::path const& output, store::ShardFolder const& shards,
                                       CampaignInput const& input, Plan const& plan, OutputRequest const& request,
                                       std::optional<store::BlockLock>& lock);

@@ -65,7 +65,7 @@ BlockLock::BlockLock(std::filesystem::path const& folder, BlockRange blocks) {
             int const reason = errno;
             if (reason == EAGAIN || reason == EACCES) {
                 ::close(fd_);
-                throw InputError(fmt::format(
+                throw SystemError(fmt::format(
                     "{} (another run is writing there now). Wait for it, or choose another place", folder.string()));
             }
             print_note("{}: cannot be locked ({}): see to it that no other run writes there\n", folder.string(),

@@ -21,8 +21,8 @@ struct BlockRange {
 class BlockLock {
   public:
     /// Makes the folder if it is not there.
-    /// \throws InputError if another process, or another lock of this one, holds any of the blocks
-    /// \throws SystemError if the folder or the file cannot be made
+    /// \throws SystemError if another process, or another lock of this one, holds any of the blocks: no input is at
+    /// fault, and a later try may do \throws SystemError if the folder or the file cannot be made
     BlockLock(std::filesystem::path const& folder, BlockRange blocks);
     ~BlockLock();
     BlockLock(BlockLock const&) = delete;

@@ -8,14 +8,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "support/expect_input_error.hpp"
 #include "support/expect_system_error.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace overturn::store {
 namespace {
 
-using testing::expect_input_error;
 using testing::expect_system_error;
 using testing::spill;
 using testing::TemporaryFolder;
@@ -25,8 +23,7 @@ constexpr BlockRange everything{0, std::numeric_limits<std::int64_t>::max()};
 class BlockLocks : public ::testing::Test {
   protected:
     void expect_refused(BlockRange range) const {
-        expect_input_error([&] { BlockLock const second(place, range); }, place.string(),
-                           "another run is writing there");
+        expect_system_error([&] { BlockLock const second(place, range); }, "another run is writing there now");
     }
 
     TemporaryFolder folder;
