@@ -15,7 +15,7 @@ namespace {
 // tests/scale/README.md: rows read, counted, written and hashed; of trials held for curves what rank 0 does, and the
 // fits. Each curve takes some time of its own, which grows with its trials up to so many.
 constexpr double merged_trial_s = 2.4e-6;
-constexpr double held_trial_s = 1.1e-6;
+constexpr double held_trial_s = 0.5e-6;
 constexpr double fitted_trial_s = 2.0e-6;
 constexpr double curve_s = 0.04;
 constexpr double curve_trials = 2048;

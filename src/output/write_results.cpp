@@ -78,37 +78,31 @@ struct RowTables {
     }
 };
 
-// Counts come from all processes, and the trials for the curves from the first blocks.
-void write_together(store::ResultsWriter& file, Plan const& drawn, Plan const& chosen,
-                    std::function<std::vector<std::byte>(std::int64_t)> const& block, Statistics& statistics,
-                    WritingHelp const& help) {
-    statistics.add_counts(help.rows(file.give_places(), chosen));
-    for (auto const b : blocks_of_chosen(drawn, chosen)) {
-        if (!statistics.keep(BlockRows::unpack(block(b), drawn, drawn.waves_of_block(b).count))) {
-            break;
-        }
-    }
+// The first waves that hold the trials of curves, and some that pass by where there are more.
+std::int64_t waves_to_hold(Plan const& plan) {
+    return static_cast<std::int64_t>(most_trials_held) / plan.trials_per_wave() + 2;
 }
 
 }  // namespace
 
-std::vector<std::int64_t> write_rows_in_place(CampaignSpec const& spec, Plan const& drawn, store::BlockRange blocks,
-                                              std::function<std::vector<std::byte>(std::int64_t)> const& block,
-                                              store::RowPlaces const& places) {
+Statistics write_rows_in_place(CampaignSpec const& spec, Plan const& drawn, store::BlockRange blocks,
+                               std::function<std::vector<std::byte>(std::int64_t)> const& block,
+                               store::RowPlaces const& places) {
     std::size_t count = 0;
     RowTables const tables(spec, [&](store::TableSpec const& /*table*/, bool /*trials*/) { return count++; });
     store::PlacedRows file(places);
-    Statistics statistics(spec, TrialsHeld::none);
+    Statistics held(spec), counted(spec, TrialsHeld::none);
     for (auto b = blocks.first; b < blocks.last; ++b) {
         auto const waves = drawn.waves_of_block(b);
         auto const rows = BlockRows::unpack(block(b), drawn, waves.count);
         tables.each(rows, [&](std::size_t table, bool trials, std::span<std::byte const> bytes) {
             file.write(table, trials ? waves.first * drawn.trials_per_wave() : waves.first, bytes);
         });
-        statistics.add(rows);
+        (waves.first < waves_to_hold(drawn) ? held : counted).add(rows);
     }
     file.finish();
-    return statistics.counts();
+    held.add_counts(counted.counts());
+    return held;
 }
 
 void write_provenance(store::ResultsWriter& file, std::string const& format, std::int64_t version,
@@ -138,7 +132,7 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
     });
     std::vector<WaveRow> refused;
     if (help.rows) {
-        write_together(file, drawn, chosen, block, statistics, help);
+        help.rows(file.give_places(), chosen, statistics);
     } else {
         for (auto const b : blocks_of_chosen(drawn, chosen)) {
             auto all = BlockRows::unpack(block(b), drawn, drawn.waves_of_block(b).count);

@@ -26,17 +26,17 @@ void write_provenance(store::ResultsWriter& file, std::string const& format, std
 /// Other processes that make results beside this one: what is empty this process does alone.
 struct WritingHelp {
     /// Writes the rows of all waves of a plan into their places, in a plain file of waves whose counts add up
-    /// (Statistics::add_up). \return their Statistics::counts()
-    std::function<std::vector<std::int64_t>(store::RowPlaces const& places, Plan const& plan)> rows = {};
+    /// (Statistics::add_up), and adds their counts and the first trials to the statistics.
+    std::function<void(store::RowPlaces const& places, Plan const& plan, Statistics& statistics)> rows = {};
     store::HashStretches hash = {};
     FitCurves curves = {};
 };
 
 /// One process's part of WritingHelp::rows: writes the rows of blocks of `drawn`, of which all waves count, into their
-/// places. \return their Statistics::counts()
-std::vector<std::int64_t> write_rows_in_place(CampaignSpec const& spec, Plan const& drawn, store::BlockRange blocks,
-                                              std::function<std::vector<std::byte>(std::int64_t)> const& block,
-                                              store::RowPlaces const& places);
+/// places. \return what they count, with the trials that are among the first of the plan
+Statistics write_rows_in_place(CampaignSpec const& spec, Plan const& drawn, store::BlockRange blocks,
+                               std::function<std::vector<std::byte>(std::int64_t)> const& block,
+                               store::RowPlaces const& places);
 
 /// Writes the finished file from the blocks of `drawn`, given in order by `block`: of their waves those that are
 /// `chosen`, and beside them those that a rule refused on the way. \return what the trials say, as stored

@@ -99,13 +99,19 @@ void MeasuredTrials::give(std::function<bool(std::int64_t)> const& wants,
 
 void MeasuredTrials::take(std::string_view piece) {
     BytesIn in(piece);
-    in(passed_by_);
+    std::int64_t passed_by = 0;
+    in(passed_by);
+    passed_by_ = std::max(passed_by_, passed_by);  // each piece states that of all
     while (!in.at_end()) {
         std::int64_t id = 0;
         std::vector<double> linear;
         std::vector<Measured> trials;
         std::vector<double> others;
         in(id, linear, trials, others);
+        if (trials_.size() >= most_trials_held) {
+            passed_by_ += std::ssize(trials);
+            continue;
+        }
         auto const& wave = *waves_.insert_or_assign(id, std::move(linear)).first;
         for (auto& trial : trials) {
             trial.of_wave = &wave;

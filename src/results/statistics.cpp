@@ -91,13 +91,6 @@ void Statistics::add(BlockRows const& block) {
         [&](auto const& trial, auto extra) { add(trial, extra); });
 }
 
-bool Statistics::keep(BlockRows const& block) {
-    each_row(
-        block, bodies_.size(), [&](auto const& wave, auto measures) { measured_.add(wave, measures); },
-        [&](auto const& trial, auto extra) { measured_.add(trial, judge_.judge(trial, extra)); });
-    return measured_.passed_by() == 0;
-}
-
 bool Statistics::add_up(CampaignSpec const& spec) {
     return !spec.is_grid() && !spec.source->about().acceptance.asked() && !SigmaCount(spec).counts();
 }

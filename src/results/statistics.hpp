@@ -76,8 +76,6 @@ class Statistics {
     /// \param measures one per body
     void add(WaveRow const& row, std::span<MeasureRow const> measures);
     void add(BlockRows const& block);
-    /// Keeps the trials of a block for the curves, and counts none. \return false where no more are kept
-    bool keep(BlockRows const& block);
     /// Can counts be added up that were made of parts of the rows? Not where more than counts is taken from waves, one
     /// by one in their order: of drawn targets, of a rule for waves, of a grid.
     [[nodiscard]] static bool add_up(CampaignSpec const& spec);

@@ -37,10 +37,10 @@ struct BlocksToMerge {
 };
 
 /// Writes the results file and removes the blocks once it is durable. All ranks read, write and hash a part of the
-/// rows, each in the memory of one block, and fit a part of the curves. For these rank 0 keeps two million trials, and
-/// gives every rank those of the bodies whose curves it fits. Where only rank 0 can add up what waves have
-/// (Statistics::add_up), or the file is packed, it reads, writes and hashes alone. A rank that stops meanwhile holds up
-/// nobody (MergingRanks). Collective. \param chosen on rank 0: which of the waves count \param keep_running
+/// rows, and fit a part of the curves. For these each keeps what it writes of the first two million trials. Rank 0 gets
+/// them all, and gives every rank those of the bodies whose curves it fits. Where only rank 0 can add up what waves
+/// have (Statistics::add_up), or the file is packed, it reads, writes and hashes alone. A rank that stops meanwhile
+/// holds up nobody (MergingRanks). Collective. \param chosen on rank 0: which of the waves count \param keep_running
 /// asked before every block, on every rank \param show on rank 0, once the file is durable and the blocks are removed:
 /// given what is to be printed \param rare one per body, or none \return on all ranks whether the file is there; if
 /// not, because `keep_running` or `chosen` said no, all blocks are as they were \throws InputError, CollectiveError on

@@ -107,6 +107,11 @@ TEST(ManyTrials, AllCount) {
     }
 }
 
+void hand_on(Statistics const& from, Statistics& to) {
+    from.measured().give([](std::int64_t /*body*/) { return true; },
+                         [&](std::string const& piece) { to.take_trials(piece); });
+}
+
 // What ranks do that merge together.
 TEST(ManyTrials, CountedInPartsAreTheSame) {
     ManyRows whole;
@@ -114,10 +119,10 @@ TEST(ManyTrials, CountedInPartsAreTheSame) {
     Statistics together(whole.spec());
     std::int64_t first = 0;
     for (std::int64_t const count : {1, 120, 179}) {
-        Statistics part(whole.spec(), TrialsHeld::none);
+        Statistics part(whole.spec());
         part.add(whole.rows(first, count));
         together.add_counts(part.counts());
-        EXPECT_TRUE(together.keep(whole.rows(first, count)));
+        hand_on(part, together);
         first += count;
     }
     EXPECT_EQ(together.counts(), whole.statistics().counts());
@@ -143,13 +148,17 @@ TEST(ManyTrials, AreCountedBeyondThoseThatAreHeld) {
     EXPECT_EQ(held.passed_by(), (waves - first_waves) * 24);
     EXPECT_EQ(rows.statistics().bodies()[0].stripes[3].trials, waves);
 
-    Statistics kept(rows.spec());
-    std::int64_t next = 0;
-    while (kept.keep(rows.rows(next, 1000))) {
-        next += 1000;
+    // By several processes: up to the same wave, whoever read it.
+    Statistics all(rows.spec());
+    for (std::int64_t const first : {0, 50'000}) {
+        Statistics part(rows.spec());
+        for (auto wave = first; wave < first + 50'000; wave += 1000) {
+            part.add(rows.rows(wave, 1000));
+        }
+        hand_on(part, all);
     }
-    EXPECT_EQ(kept.measured().singles(0, measure_named("pgv")).back().id, first_waves - 1);
-    EXPECT_EQ(kept.bodies()[0].stripes[3].trials, 0) << "kept and not counted";
+    EXPECT_EQ(all.measured().singles(0, measure_named("pgv")).back().id, first_waves - 1);
+    EXPECT_EQ(all.measured().passed_by(), (100'000 - first_waves) * 24);
 }
 
 // What rank 0 gives the ranks that fit beside it: nothing of a body whose curves they do not fit.

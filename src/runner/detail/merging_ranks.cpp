@@ -51,6 +51,24 @@ std::string fits_of(CampaignCurves const& curves, PartOfCurves const& some) {
     return fits.take();
 }
 
+// Counts, and the trials that are held of some bodies.
+void give_statistics(Statistics const& statistics, std::function<bool(std::int64_t)> const& wants, BytesOut& text) {
+    text(statistics.counts());
+    statistics.measured().give(wants,
+                               [&](std::string const& piece) { text(std::vector<char>(piece.begin(), piece.end())); });
+}
+
+void take_statistics(Statistics& statistics, BytesIn& in) {
+    std::vector<std::int64_t> counts;
+    in(counts);
+    statistics.add_counts(counts);
+    while (!in.at_end()) {
+        std::vector<char> piece;
+        in(piece);
+        statistics.take_trials({piece.data(), piece.size()});
+    }
+}
+
 // "0 17 text"
 std::pair<store::BlockRange, std::string> blocks_of(std::string const& text) {
     auto const [first, rest] = numbered(text);
@@ -87,20 +105,15 @@ struct MergingRanks::Shares {
 MergingRanks::MergingRanks(parallel::Communicator const& comm, CampaignSpec const& spec, Plan const& drawn,
                            store::ShardFolder const& shards, std::function<bool()> keep_running)
     : comm_(comm), spec_(spec), drawn_(drawn), shards_(shards), keep_running_(std::move(keep_running)) {
-    help_.rows = [this](store::RowPlaces const& places, Plan const& plan) {
-        Statistics sum(spec_, TrialsHeld::none);
+    help_.rows = [this](store::RowPlaces const& places, Plan const& plan, Statistics& statistics) {
         auto const where = places.serialise();
-        for (auto const& of_share : all_do(Task::rows, plan.blocks(), [&](Share blocks) {
-                 return fmt::format("{} {} {}", blocks.first, blocks.last, where);
-             })) {
-            std::istringstream in(of_share);
-            std::vector<std::int64_t> counts;
-            for (std::int64_t count = 0; in >> count;) {
-                counts.push_back(count);
-            }
-            sum.add_counts(counts);
+        auto answers = all_do(Task::rows, plan.blocks(),
+                              [&](Share blocks) { return fmt::format("{} {} {}", blocks.first, blocks.last, where); });
+        for (auto& of_share : answers) {
+            auto const text = std::exchange(of_share, {});
+            BytesIn in(text);
+            take_statistics(statistics, in);
         }
-        return sum.counts();
     };
     help_.hash = [this](std::filesystem::path const& path, std::span<store::Stretch const> stretches) {
         std::vector<std::string> hashes;
@@ -204,12 +217,13 @@ std::vector<std::string> MergingRanks::all_do(Task task, std::int64_t count, Tex
     longest_s_ = std::max(longest_s_, shares.longest_s);
     std::vector<std::string> answers;
     bool is_time_to_go = false;
-    for (auto const& each : shares.answers) {
+    for (auto& each : shares.answers) {
         if (each->front() == has_failed) {
             throw SystemError(each->substr(1));
         }
         is_time_to_go = is_time_to_go || each->front() == was_interrupted;
-        answers.push_back(each->substr(1));
+        answers.push_back(std::move(*each));
+        answers.back().erase(0, 1);
     }
     if (is_time_to_go) {
         throw Interrupted();
@@ -306,9 +320,12 @@ std::string MergingRanks::answer(std::string const& task) const {
 
 std::string MergingRanks::rows(std::string const& text) const {
     auto const [blocks, places] = blocks_of(text);
-    auto const counts = write_rows_in_place(
+    auto const statistics = write_rows_in_place(
         spec_, drawn_, blocks, [&](std::int64_t block) { return read(block); }, store::RowPlaces::deserialise(places));
-    return fmt::format("{}", fmt::join(counts, " "));
+    BytesOut given;
+    give_statistics(
+        statistics, [](std::int64_t /*body*/) { return true; }, given);
+    return given.take();
 }
 
 std::string MergingRanks::hashes(std::string const& text) const {
@@ -336,15 +353,14 @@ std::vector<MeasuredFragility> MergingRanks::all_fit(CampaignCurves const& curve
     auto const answers = all_do(Task::curves, parts, [&](Share share) {
         PartOfCurves const some{share.first, parts};
         BytesOut text;
-        text(curves.options(), curves.statistics().counts(), some);
+        text(curves.options(), some);
         std::vector<bool> wanted(spec_.bodies.size());
         for (std::int64_t number = 0; number < curves.count(); ++number) {
             wanted[curves.body_of(number)] = wanted[curves.body_of(number)] || some.holds(number);
         }
         if (some.part > 0) {  // the first is rank 0's own
-            curves.statistics().measured().give(
-                [&](std::int64_t body) { return wanted[body]; },
-                [&](std::string const& piece) { text(std::vector<char>(piece.begin(), piece.end())); });
+            give_statistics(
+                curves.statistics(), [&](std::int64_t body) { return wanted[body]; }, text);
         }
         return text.take();
     });
@@ -359,20 +375,14 @@ std::vector<MeasuredFragility> MergingRanks::all_fit(CampaignCurves const& curve
 
 std::string MergingRanks::curves(std::string const& text) const {
     AnalysisOptions options;
-    std::vector<std::int64_t> counts;
     PartOfCurves some;
     BytesIn in(text);
-    in(options, counts, some);
+    in(options, some);
     if (all_curves_ != nullptr) {
         return fits_of(*all_curves_, some);
     }
     Statistics statistics(spec_);
-    statistics.add_counts(counts);
-    while (!in.at_end()) {
-        std::vector<char> piece;
-        in(piece);
-        statistics.take_trials({piece.data(), piece.size()});
-    }
+    take_statistics(statistics, in);
     return fits_of(CampaignCurves(spec_, statistics, options), some);
 }
 
