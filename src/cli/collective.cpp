@@ -8,6 +8,7 @@
 #include "cli/command_line.hpp"
 #include "cli/print_error.hpp"
 #include "core/error.hpp"
+#include "runner/progress.hpp"
 #include "runner/root_broadcast.hpp"
 
 namespace overturn::cli {
@@ -37,37 +38,47 @@ bool is_cut_off() {
 }  // namespace
 
 int on_all_ranks(std::function<int(parallel::Communicator const&)> const& action) {
+    auto const refuse = [](std::string const& message) {
+        print_error_once(message);
+        if (is_first_rank()) {
+            tell_end(bad_input);
+        }
+        return bad_input;
+    };
     if (is_cut_off()) {
-        print_error_once(
+        return refuse(
             fmt::format("SLURM_STEP_NUM_TASKS states {} ranks (srun did not pass them to {}). Start it with mpirun, or "
                         "srun --mpi=pmix",
                         std::getenv("SLURM_STEP_NUM_TASKS"), parallel::Communicator::library()));
-        return bad_input;
     }
     parallel::Environment const environment;
     parallel::Communicator const comm;
     if (auto const other = other_launcher(); comm.size() == 1 && !other.empty()) {
-        print_error_once(
+        return refuse(
             fmt::format("this process is alone, but {} (the launcher of another MPI?). Start it with the mpirun of "
                         "{}",
                         other, parallel::Communicator::library()));
-        return bad_input;
     }
+    // While MPI lives: mpirun may end this process within its last call.
+    auto const end = [&](int code, std::string const& error = {}) {
+        if (comm.is_root()) {
+            if (!error.empty()) {
+                print_error(error);
+            }
+            tell_end(code);
+        }
+        return code;
+    };
     try {
-        return action(comm);
+        return end(action(comm));
     } catch (InputError const& error) {
-        if (comm.is_root()) {
-            print_error(error.what());
-        }
-        return bad_input;
+        return end(bad_input, error.what());
     } catch (CollectiveError const& error) {
-        if (comm.is_root()) {
-            print_error(error.what());
-        }
-        return other_failure;
+        return end(other_failure, error.what());
     } catch (std::exception const&) {
         auto const [message, code] = current_failure();
         print_error(message);
+        tell_end(code);
         if (comm.size() > 1) {
             comm.abort(code);
         }

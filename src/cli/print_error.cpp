@@ -19,7 +19,7 @@
 #include "core/text_width.hpp"
 
 namespace overturn::cli {
-namespace {
+namespace {}  // namespace
 
 bool is_first_rank() {
     static constexpr std::array names{"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK", "SLURM_PROCID"};
@@ -30,6 +30,8 @@ bool is_first_rank() {
     }
     return true;
 }
+
+namespace {
 
 void print_one(std::string message) {
     for (char& c : message) {

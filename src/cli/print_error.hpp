@@ -13,6 +13,9 @@ void print_error(std::string const& message);
 /// rank meets, also before MPI is up.
 void print_error_once(std::string const& message);
 
+/// By the launcher's environment variables, before MPI is up.
+[[nodiscard]] bool is_first_rank();
+
 struct Failure {
     std::string message;
     int code;  ///< to exit with

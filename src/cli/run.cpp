@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "cli/collective.hpp"
-#include "cli/json_values.hpp"
 #include "cli/text_choice.hpp"
 #include "cli/verbs.hpp"
 #include "cli/walltime.hpp"
@@ -96,13 +95,7 @@ int run(RunVerbOptions const& options, parallel::Communicator const& comm) {
     if (options.part) {
         run_options.part = read_part(*options.part);
     }
-    auto const code = run_campaign(input, run_options, comm) == RunEnd::complete ? done : resumable;
-    if (options.progress && comm.is_root()) {
-        print_note("{}\n",
-                   Json{{"event", "end"}, {"output", run_options.output.string()}, {"exit_code", int{code}}}.dump(
-                       -1, ' ', false, Json::error_handler_t::replace));
-    }
-    return code;
+    return run_campaign(input, run_options, comm) == RunEnd::complete ? done : resumable;
 }
 
 }  // namespace
@@ -132,7 +125,7 @@ void add_run(CommandLine& line) {
         validate(!options->progress || *options->progress == "json",
                  "--progress '{}' (unknown). Say json, or leave it out", options->progress.value_or(""));
         if (options->progress) {
-            tell_as_json();
+            tell_as_json(options->output.value_or(default_output(options->campaign).string()));
         }
         NextStep const next(options->extend ? "go on with --extend" : "go on with --resume");
         stop_on_signals();  // what came earlier, or comes while MPI starts or records are read, is not lost

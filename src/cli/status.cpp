@@ -175,6 +175,10 @@ StatusReport report_of_run(Unfinished& run, std::string const& path, std::string
     for (auto const block : committed) {
         done_waves += plan.waves_of_block(block).count;
     }
+    std::int64_t waves_left = 0;
+    for (auto const block : left) {
+        waves_left += plan.waves_of_block(block).count;
+    }
     StatusReport report{.code = resumable, .state = output::progress_text(progress)};
     report.facts = {
         {"complete", false},
@@ -184,7 +188,8 @@ StatusReport report_of_run(Unfinished& run, std::string const& path, std::string
         {"trials", {{"done", done_waves * plan.trials_per_wave()}, {"planned", trials_of(spec, plan.asked())}}},
         {"blocks",
          {{"done", progress.done}, {"left", progress.left}, {"all", progress.all ? Json(*progress.all) : Json()}}},
-        {"waves_left", or_null(!left.empty(), progress.waves_left)},
+        {"waves_left", waves_left},
+        {"waves_left_numbers", or_null(!left.empty(), progress.waves_left)},
         {"rare_left", progress.rare},
         {"next", or_null(!under_way, progress.next)}};
     return report;

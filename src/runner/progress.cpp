@@ -17,6 +17,8 @@ namespace overturn {
 namespace {
 
 bool as_json = false;  // of the process, as stderr is
+std::string output_told;
+bool end_told = false;
 
 std::string note_as_json(std::string const& line) {
     return nlohmann::ordered_json{{"event", "note"}, {"text", line}}.dump(
@@ -25,9 +27,18 @@ std::string note_as_json(std::string const& line) {
 
 }  // namespace
 
-void tell_as_json() {
+void tell_as_json(std::string output) {
     as_json = true;
+    output_told = std::move(output);
     form_notes(&note_as_json);
+}
+
+void tell_end(int exit_code) {
+    if (as_json && !std::exchange(end_told, true)) {
+        print_note("{}\n",
+                   nlohmann::ordered_json{{"event", "end"}, {"output", output_told}, {"exit_code", exit_code}}.dump(
+                       -1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    }
 }
 
 std::string duration_text(double seconds) {

@@ -10,7 +10,10 @@ namespace overturn {
 
 /// From here on stderr gets one JSON object a line: {"event": "progress", "done": 3, "of": 8, ...}, and {"event":
 /// "note", "text": "..."} of all else.
-void tell_as_json();
+void tell_as_json(std::string output);
+/// Then, the last of them: {"event":"end","output":...,"exit_code":...}. Once for a process, however it ends: the rank
+/// that speaks for all calls it.
+void tell_end(int exit_code);
 
 class Progress {
   public:

@@ -459,7 +459,8 @@ TEST_F(Extend, AKillLosesNothing) {
     EXPECT_EQ(extension["waves"]["planned"], 120);
     EXPECT_EQ(extension["blocks"]["done"], blocks_done(folder, "c.h5"));
     EXPECT_EQ(extension["blocks"]["done"].get<int>() + extension["blocks"]["left"].get<int>(), 120);
-    EXPECT_TRUE(extension["waves_left"].is_string());
+    EXPECT_EQ(extension["waves_left"], extension["blocks"]["left"]) << "a block is a wave here";
+    EXPECT_TRUE(extension["waves_left_numbers"].is_string());
     auto const merged = overturn(folder, {"merge", "c.h5"});
     EXPECT_EQ(merged.code, 3);
     EXPECT_NE(merged.err.find("an extension of c.h5 is not complete"), std::string::npos) << merged.err;

@@ -141,6 +141,26 @@ TEST_F(Scripts, ProgressIsLinesOfJson) {
     auto const stopped = overturn(folder, {"run", "c.toml", "--progress", "json", "--max-walltime", "1 s"});
     EXPECT_EQ(stopped.code, 3);
     EXPECT_NE(stopped.err.find(R"({"event":"end","output":"c.h5","exit_code":3})"), std::string::npos) << stopped.err;
+    auto const last_line =
+        [](std::string text) {  // of the program's own: mpirun says that it ended otherwise than by 0
+            text.resize(text.rfind("}\n") + 1);
+            return json::parse(text.substr(text.rfind('\n') + 1));
+        };
+    for (auto const& command : {std::vector<std::string>{OVERTURN_PROGRAM, "run"}, mpirun(2, {"run"})}) {
+        for (auto const& [more, code] : {std::pair{std::vector<std::string>{"c.toml", "--set", "waves.cont=3"}, 2},
+                                         {{"none.toml", "-o", "c.h5"}, 2},
+                                         {{"c.toml", "--part", "3/2"}, 2}}) {
+            auto const bad = execute(folder, joined(joined(command, more), {"--progress", "json"}));
+            EXPECT_EQ(last_line(bad.err), (json{{"event", "end"}, {"output", "c.h5"}, {"exit_code", code}})) << bad.err;
+        }
+    }
+    Running told(folder, mpirun(2, {"run", "c.toml", "--resume", "--progress", "json"}));
+    auto const before = blocks_done(folder, "c.h5");
+    ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > before; }));
+    told.signal(SIGTERM);
+    auto const ended_early = told.wait();
+    EXPECT_EQ(last_line(ended_early.err), (json{{"event", "end"}, {"output", "c.h5"}, {"exit_code", 3}}))
+        << ended_early.err;
 }
 
 // R-1102: mpirun ends with 1 after a TERM of its own, as after a failure; SIGUSR2 leaves as soon, with 3.

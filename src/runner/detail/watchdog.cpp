@@ -10,6 +10,7 @@
 
 #include "core/next_step.hpp"
 #include "core/print_note.hpp"
+#include "runner/progress.hpp"
 
 namespace overturn {
 namespace {
@@ -26,6 +27,7 @@ void end_overdue(std::stop_token const& told_to_leave, std::chrono::duration<dou
             "overturn: time is up, and a rank has not answered, or a disk (stopped, or a node is down): all ranks end. "
             "Blocks on disk are kept: {}\n",
             advice);
+        tell_end(ends_resumable);
         std::_Exit(ends_resumable);
     }
 }
