@@ -22,6 +22,9 @@ class Calling(unittest.TestCase):
             overturn.run("campaign.toml", "small.h5", settings={"waves.cuont": 2})
         self.assertEqual(caught.exception.code, 2)
         self.assertIn("waves.cuont", str(caught.exception))
+        alone = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
+        with mock.patch.dict(os.environ, alone), self.assertRaisesRegex(overturn.Failed, "^overturn: .*waves.cuont"):
+            overturn.run("campaign.toml", "small.h5", settings={"waves.cuont": 2}, launch="mpirun -n 2")
         with self.assertRaisesRegex(overturn.Failed, "nowhere.toml"):
             overturn.run("nowhere.toml")
         with self.assertRaisesRegex(overturn.Error, "/nowhere/overturn: cannot be run"):
@@ -32,6 +35,7 @@ class Calling(unittest.TestCase):
         with self.assertRaises(overturn.Stopped) as caught:
             overturn.run("campaign.toml", "stopped.h5", settings=many, max_walltime="0.05 s")
         self.assertEqual(caught.exception.code, 3)
+        self.assertRegex(str(caught.exception), r"^stopped early: \d+ of 40 blocks are done and safe\. Go on with: ")
         told = overturn.status("stopped.h5")
         self.assertFalse(told.complete)
         self.assertEqual(told.facts["blocks"]["done"] + told.facts["blocks"]["left"], 40)

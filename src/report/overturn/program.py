@@ -47,8 +47,11 @@ def call(*arguments, program=None, launch=()):
         return ended
     notes = re.sub(r"\n {4,}", " ", ended.stderr)  # longer notes are wrapped
     lines = [line for line in notes.splitlines() if line.strip()]
-    errors = [line for line in lines if "error: " in line] or lines[-1:] or [f"ended with {ended.returncode}"]
-    raise (Stopped if ended.returncode == STOPPED else Failed)(errors[0], ended.returncode)
+    stopped = ended.returncode == STOPPED
+    told = [line for line in lines if line.startswith("stopped early: ")] if stopped else []  # other notes come after it
+    told += [line for line in lines if line.startswith("overturn: ")]  # and, under mpirun, lines of its own
+    told += [line for line in lines if "error: " in line] + lines[-1:] + [f"ended with {ended.returncode}"]
+    raise (Stopped if stopped else Failed)(told[0], ended.returncode)
 
 
 def run(campaign, output=None, *, settings=None, resume=False, extend=False, max_walltime=None, launch=(), program=None):
