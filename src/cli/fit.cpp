@@ -225,11 +225,30 @@ int fit_file(FitOptions const& options) {
     return print_refit(options, file, spec, statistics, own ? &all.analysis : nullptr);
 }
 
+// Nothing where the run has finished, before or while its blocks were read.
+std::optional<Interim> unfinished(std::string const& file) {
+    if (is_finished(file)) {
+        return std::nullopt;
+    }
+    try {
+        return interim_results(file);
+    } catch (std::runtime_error const&) {
+        if (is_finished(file)) {
+            return std::nullopt;
+        }
+        throw;
+    }
+}
+
 // Of what an unfinished run has committed: marked as such, whatever is printed.
 int fit_interim(FitOptions const& options) {
+    auto const found = unfinished(options.file);
+    if (!found) {
+        return fit_file(options);
+    }
+    auto const& now = *found;
     auto const text = options.text.options();
     validate(!text.names("trials"), "--section trials of an unfinished run (its rows lie in blocks). Leave it out");
-    auto const now = interim_results(options.file);
     auto const& spec = *now.spec;
     auto const all = fitted(options, text, nullptr, now.input, spec, now.statistics);
     if (options.json) {
@@ -260,7 +279,8 @@ void add_fit(CommandLine& line) {
     verb.takes("--median", options->median, "use a given curve instead: its median with unit, '0.9 g'");
     verb.takes("--beta", options->beta, "lognormal standard deviation of the given curve; with --beta-u: its beta_R");
     verb.takes("--json", options->json, "as JSON");
-    verb.takes("--interim", options->interim, "fit an unfinished run: the waves that are done so far");
+    verb.takes("--interim", options->interim,
+               "fit an unfinished run: the waves that are done so far; the file once it is there");
     verb.takes(
         "--beta-u", options->beta_u,
         "beta_U for HCLPF: lognormal standard deviation of the median from uncertain properties of the body; default: "

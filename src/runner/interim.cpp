@@ -7,11 +7,22 @@
 #include "campaign/block_rows.hpp"
 #include "campaign/plan.hpp"
 #include "core/error.hpp"
+#include "results/recount.hpp"
 #include "runner/merge.hpp"
 #include "runner/output_place.hpp"
+#include "store/results_file.hpp"
 #include "store/shards.hpp"
 
 namespace overturn {
+
+bool is_finished(std::filesystem::path const& output) {
+    if (!std::filesystem::exists(output)) {
+        return false;
+    }
+    auto const record = store::ShardFolder(output, "").begun_with();
+    store::ResultsReader const file(output, store::Trust::unverified);
+    return record.empty() || CampaignInput::deserialise(record).block_key() == input_of(file).block_key();
+}
 
 Interim interim_results(std::filesystem::path const& output) {
     auto input = begun_campaign(output);

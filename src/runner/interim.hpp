@@ -21,6 +21,10 @@ struct Interim {
     std::int64_t waves = 0, planned = 0;     ///< that count, and that it asks for
 };
 
+/// Is the file there that the run was to write, with no larger campaign begun beside it? Blocks may be about to go.
+/// \throws InputError if what is there is no results file
+[[nodiscard]] bool is_finished(std::filesystem::path const& output);
+
 /// Reads the sound blocks of the run that is to write `output`; it may be under way. Damaged ones are named on stderr.
 /// \throws InputError if nothing was begun there, by this program, or no block is committed yet
 [[nodiscard]] Interim interim_results(std::filesystem::path const& output);

@@ -111,6 +111,10 @@ TEST_F(Scripts, FitOfAnUnfinishedRun) {
     ASSERT_EQ(overturn(folder, {"run", "c.toml", "-o", "few.h5"}).code, 0);
     auto const few = told({"fit", "few.h5", "--json"});
     EXPECT_TRUE(few["interim"].is_null());
+    EXPECT_EQ(told({"fit", "few.h5", "--interim", "--json"}), few) << "the run has finished meanwhile";
+    std::filesystem::copy(folder / "c.h5.parts", folder / "few.h5.parts", std::filesystem::copy_options::recursive);
+    EXPECT_EQ(told({"fit", "few.h5", "--interim", "--json"})["interim"]["planned"], 400) << "a larger one goes on";
+    std::filesystem::remove_all(folder / "few.h5.parts");
     EXPECT_EQ(few["stripes"], fit["stripes"]);
     ASSERT_FALSE(fit["fragility"].empty());
     EXPECT_EQ(few["fragility"], fit["fragility"]);
