@@ -113,6 +113,11 @@ bool is_same_campaign(std::filesystem::path const& output, CampaignInput const& 
            && file.text("campaign_name") == std::filesystem::path(input.name).filename().string();
 }
 
+// Short files are laid out in neither way.
+bool is_laid_out(std::filesystem::path const& output, store::Layout layout) {
+    return store::ResultsReader(output, store::Trust::unverified).layout() == layout;
+}
+
 // A whole run keeps what it can use of one that was begun with another campaign. \return whether there is such a thing
 bool take_over(store::ShardFolder const& shards, CampaignInput const& begun, CampaignInput const& input,
                OutputRequest const& request) {
@@ -212,8 +217,9 @@ OutputState lock_output(std::filesystem::path const& output, store::ShardFolder 
     validate(!std::filesystem::exists(output) || std::filesystem::is_regular_file(output),
              "output {} (is no file that could hold results). {}", output.string(),
              store::advice_beside_blocks(output, "Name another with -o"));
-    bool const extends =
-        request.extend && can_be_extended(output, input, request.shrink) && !is_same_campaign(output, input);
+    bool const extendable = request.extend && can_be_extended(output, input, request.shrink);
+    bool const packs = extendable && request.pack && is_laid_out(output, store::Layout::plain);
+    bool const extends = extendable && (packs || !is_same_campaign(output, input));
     auto const refuse_taken = [&] {
         if (request.resume || !std::filesystem::exists(output)) {
             return;
@@ -232,9 +238,9 @@ OutputState lock_output(std::filesystem::path const& output, store::ShardFolder 
         lock.emplace(shards.folder(), blocks_of(plan, request.part));
     }
     refuse_taken();  // another run may have finished meanwhile
-    if (std::filesystem::exists(output) && (!extends || is_same_campaign(output, input))) {
+    if (std::filesystem::exists(output) && (!extends || (!packs && is_same_campaign(output, input)))) {
         (void)check_complete(output, input, lock.has_value());
-        return {.complete = true};
+        return {.complete = true, .packed = request.pack && !is_laid_out(output, store::Layout::plain)};
     }
     auto const begun = sound_record(shards, input, request.resume);
     bool taken_over = false;
@@ -250,7 +256,8 @@ OutputState lock_output(std::filesystem::path const& output, store::ShardFolder 
     }
     shards.remove_unfinished(plan.blocks_of(request.part));
     bool const keeps = request.part.is_whole() && (extends || !shards.aside().empty());
-    return {.begun = begun.has_value() && !taken_over, .keeps = keeps};
+    bool const stays_packed = extends && is_laid_out(output, store::Layout::packed);
+    return {.begun = begun.has_value() && !taken_over, .packed = stays_packed, .keeps = keeps};
 }
 
 void require_shared(store::ShardFolder const& shards, std::string const& key, parallel::Communicator const& comm) {

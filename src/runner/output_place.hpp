@@ -19,6 +19,7 @@ namespace overturn {
 struct OutputState {
     bool complete = false;  ///< the finished file of this very campaign is there
     bool begun = false;     ///< there is a record of it that an earlier run left behind
+    bool packed = false;    ///< the finished file there is, as what takes its place should be
     bool keeps = false;     ///< rows of an earlier campaign are there: a finished file's, or blocks that were set aside
 };
 
@@ -27,6 +28,7 @@ struct OutputRequest {
     bool resume = false;
     bool extend = false;  ///< a finished file that can be extended is no obstacle; with resume
     bool shrink = false;  ///< rows that are there may be left out
+    bool pack = false;    ///< a plain file that is complete is written anew; with extend
     Part part;
 };
 

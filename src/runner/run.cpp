@@ -40,7 +40,8 @@ std::vector<std::int64_t> all_of(store::BlockRange const& range) {
 void print_what_is_left(CampaignInput const& input, RunOptions const& options, std::int64_t done, std::int64_t blocks) {
     auto const again =
         resume_command(input, options.output,
-                       std::string(options.extend ? "--extend" : "--resume") + (options.shrink ? " --shrink" : ""));
+                       std::string(options.extend ? "--extend" : "--resume") + (options.shrink ? " --shrink" : "")
+                           + (options.merge.layout == store::Layout::packed ? " --packed" : ""));
     if (options.part.is_whole() && options.leaves_blocks && done == blocks) {
         fmt::print("all blocks are done. For the file: overturn merge {}\n", options.output.string());
         return;
@@ -83,7 +84,7 @@ class Run {
         validate(!options_.shrink || options_.extend || options_.resume,
                  "--shrink without --extend or --resume (it gives up rows that are there). Add one of them");
         OutputRequest const request{options_.resume || options_.extend, options_.extend, options_.shrink,
-                                    options_.part};
+                                    wants_packed() && !spec_.rare, options_.part};
         validate(!options_.leaves_blocks || (!options_.extend && !spec_.rare),
                  "--leave-blocks beside {} (which need the file). Leave one out",
                  options_.extend ? "--extend" : "[rare]");
@@ -96,16 +97,23 @@ class Run {
                            kept.blocks, plan_.blocks(),
                            kept.in_part > 0 ? fmt::format(", and trials of {} more", kept.in_part) : "");
             }
-            return nlohmann::json{
-                {"complete", state.complete}, {"begun", state.begun}, {"kept", kept.in_part > 0 ? kept.text : ""}}
+            return nlohmann::json{{"complete", state.complete},
+                                  {"packed", state.packed},
+                                  {"begun", state.begun},
+                                  {"kept", kept.in_part > 0 ? kept.text : ""}}
                 .dump();
         }));
         if (found.at("complete").get<bool>()) {
             if (comm_.is_root()) {
-                fmt::print("{}: complete already, nothing to do\n", options_.output.string());
+                fmt::print("{}: complete already, {}\n", options_.output.string(),
+                           wants_packed() && !found.at("packed").get<bool>()
+                               ? spec_.rare ? "and not packed (with [rare] nothing is taken from a file)"
+                                            : "and not packed. To pack it: --extend --packed"
+                               : "nothing to do");
             }
             return RunEnd::complete;
         }
+        packs_ = wants_packed() || found.at("packed").get<bool>();
         require_shared(shards_, input_.block_key(), comm_);
         spec_.source->prepare(parallel::rows_of_ranks(comm_));
         kept_ = kept_rows(found.at("kept").get<std::string>(), input_, spec_, plan_);
@@ -239,7 +247,11 @@ class Run {
         return yes;
     }
 
+    [[nodiscard]] bool wants_packed() const { return options_.merge.layout == store::Layout::packed; }
+
     RunEnd merge() {
+        auto how = options_.merge;
+        how.layout = packs_ ? store::Layout::packed : store::Layout::plain;
         auto const begin = Clock::now();
         bool const whole = merge_blocks(
             {options_.output, input_, spec_, plan_, shards_, comm_},
@@ -253,7 +265,7 @@ class Run {
                     fmt::print("{}results: {}\n", tables, options_.output.string());
                 }
             },
-            rare_ ? std::span<RareBody const>(*rare_) : std::span<RareBody const>(), options_.merge);
+            rare_ ? std::span<RareBody const>(*rare_) : std::span<RareBody const>(), how);
         done_.seconds.store += comm_.is_root() ? seconds_since(begin) : 0;
         return whole ? RunEnd::complete : RunEnd::stopped;
     }
@@ -300,6 +312,7 @@ class Run {
     std::optional<std::vector<RareBody>> rare_;
     std::vector<std::string> earlier_segments_;  ///< of blocks that are merged; known on rank 0
     double wall_s_ = 0;
+    bool packs_ = false;  ///< the results file
     bool reported_obstacle_ = false;
     std::vector<std::int64_t> committed_;      ///< by earlier runs
     std::int64_t asked_ = 0, unfinished_ = 0;  ///< blocks of this run so far, and those of them that are not done

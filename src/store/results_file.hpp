@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -138,6 +139,8 @@ class ResultsReader {
     void require(std::string const& dataset) const;
     /// Rows of a column of numbers. \throws InputError if it is none
     [[nodiscard]] std::int64_t length(std::string const& dataset) const;
+    /// Of the columns of trials; none where they are too short to differ by it.
+    [[nodiscard]] std::optional<Layout> layout() const;
     [[nodiscard]] std::vector<std::string> members(std::string const& group) const;
     /// All columns and small arrays, by path.
     [[nodiscard]] std::vector<ColumnMeaning> columns() const;

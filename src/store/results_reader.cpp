@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "store/detail/category_names.hpp"
+#include "store/detail/dataset_rows.hpp"
 #include "store/detail/objects.hpp"
 #include "store/detail/opened_file.hpp"
 
@@ -107,6 +108,16 @@ std::int64_t ResultsReader::length(std::string const& dataset) const {
     auto const rows = length_of(open_numbers(opened_->file, dataset));
     require_plausible(opened_->file, dataset, rows);
     return std::max<std::int64_t>(0, rows);
+}
+
+std::optional<Layout> ResultsReader::layout() const {
+    std::string const column = "trials/verdict";
+    auto const dataset = open_numbers(opened_->file, column);
+    if (length_of(dataset) <= rows_of_a_chunk) {
+        return std::nullopt;
+    }
+    PropertyList const made(checked(H5Dget_create_plist(dataset.id()), "look at " + column));
+    return H5Pget_layout(made.id()) == H5D_CHUNKED ? Layout::packed : Layout::plain;
 }
 
 std::vector<std::string> ResultsReader::members(std::string const& group) const {

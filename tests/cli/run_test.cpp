@@ -97,6 +97,23 @@ TEST_F(Run, PackedIsSmallerAndTheSame) {
     }
     expect_same(packed, bytes({OVERTURN_PROGRAM, "merge", "parts.h5", "--packed"}, "parts.h5"), "parts.h5");
 
+    // A finished file is packed on request, and what extends a packed one is packed.
+    std::vector<std::string> const finished{"run", "c.toml", "-o", "plain.h5", "--packed"};
+    auto const named = overturn(folder, joined(finished, {"--resume"}));
+    EXPECT_NE(named.out.find("complete already, and not packed. To pack it: --extend --packed"), std::string::npos)
+        << named.out;
+    folder.write("again.h5", plain);
+    expect_same(packed, bytes(mpirun(2, {"run", "c.toml", "-o", "again.h5", "--extend", "--packed"}), "again.h5"),
+                "again.h5");
+    auto const nothing = overturn(folder, {"run", "c.toml", "-o", "again.h5", "--extend", "--packed"});
+    EXPECT_NE(nothing.out.find("complete already, nothing to do"), std::string::npos) << nothing.out;
+    std::vector<std::string> const more{"--set", "levels.values={from='1 gal', to='500 gal', count=2801}"};
+    auto const at_once =
+        bytes(joined({OVERTURN_PROGRAM, "run", "c.toml", "-o", "more.h5", "--packed"}, more), "more.h5");
+    auto const grown =
+        bytes(joined({OVERTURN_PROGRAM, "run", "c.toml", "-o", "again.h5", "--extend", "--shrink"}, more), "again.h5");
+    expect_same(at_once, grown, "a packed file, extended");
+
     auto const fitted = overturn(folder, {"fit", "plain.h5", "--json"});
     EXPECT_EQ(fitted.code, 0) << fitted.err;
     EXPECT_EQ(overturn(folder, {"fit", "packed.h5", "--json"}).out, fitted.out);
