@@ -11,10 +11,10 @@ namespace {
 
 constexpr std::int64_t ids_per_level = 1'000'000'000;
 // See worker.hpp for what a block's length costs and saves.
-constexpr std::int64_t blocks_wanted = 256;        // enough for a workstation to balance, few enough to merge at once
-constexpr std::int64_t many_blocks_wanted = 4096;  // of campaigns that are worth a thousand ranks
-constexpr std::int64_t shortest_of_many = 16;      // waves: for these blocks do not get shorter, a tenth of a second
-constexpr std::int64_t largest_block = 64;         // waves: some seconds, which a killed rank loses
+constexpr std::int64_t blocks_wanted = 256;         // enough for a workstation to balance, few enough to merge at once
+constexpr std::int64_t many_blocks_wanted = 16384;  // of campaigns that are worth a thousand ranks: 16 for each
+constexpr std::int64_t shortest_of_many = 16;       // waves: for these blocks do not get shorter, a tenth of a second
+constexpr std::int64_t largest_block = 64;          // waves: some seconds, which a killed rank loses
 // What is given up when a rank has to leave. A trial on points takes 5 ms to 30 ms, and longer on a stiff pad.
 constexpr double longest_block_s = 5;
 constexpr double trial_on_points_s = 0.03;

@@ -1,16 +1,19 @@
 #!/usr/bin/env python3
 """How busy many ranks are under overturn's own rule for handing out blocks: a simulation, no measurement.
 
-tests/scale/ranks.py [--ranks 8 100 1000] [--block 5] [--blocks-each 40] [--scatter 0.3] [--slow 20] [--check]
+tests/scale/ranks.py [--ranks 8 100 1000] [--waves 262144] [--wave 0.04] [--scatter 0.3] [--slow 20] [--check | --check-equal]
+                     [--block 5 --blocks-each 40]
 
-Blocks take --block seconds on average, with a lognormal --scatter; --blocks-each of them for each rank. One rank is --slow
-times slower than the others. The numbers of the rule are read from src/runner/detail/worker.cpp: the share that a rank
-takes, how long a rank without blocks waits before it takes one over from a slow rank, how often a rank looks whether its
-block was taken over. Rank 0 hands out and computes nothing from so many ranks on as stands there.
+The campaign has --waves, each of --wave seconds. They are cut into blocks as src/campaign/plan.cpp cuts a campaign none of
+whose trials runs on points; blocks scatter lognormally (--scatter). --block and --blocks-each state others, so many for
+each rank. One rank is --slow times slower than the others. The other numbers of the rule are read from
+src/runner/detail/worker.cpp: the share that a rank takes, how long a rank without blocks waits before it takes one over
+from a slow rank, how often a rank looks whether its block was taken over. Rank 0 hands out and computes nothing from so
+many ranks on as stands there.
 
 Printed: wall time and the share of it that the ranks work, where all are equal, and with the slow rank, without taking over
 and with it. --check: ends with 1 where the slow rank costs more than a tenth of the wall time, or 1000 equal ranks
-work less than nine tenths of it."""
+work less than nine tenths of it; --check-equal: of these, only the latter."""
 
 import argparse
 import heapq
@@ -18,17 +21,29 @@ import pathlib
 import random
 import re
 
-WORKER = pathlib.Path(__file__).resolve().parents[2] / "src" / "runner" / "detail" / "worker.cpp"
+SOURCE = pathlib.Path(__file__).resolve().parents[2] / "src"
+WORKER = SOURCE / "runner" / "detail" / "worker.cpp"
+PLAN = SOURCE / "campaign" / "plan.cpp"
+RULE = ("ranks_worth_serving", "shares_each", "least_patience_s", "patience_untried_s", "taken_over_look_s", "step")
+CUT = ("blocks_wanted", "many_blocks_wanted", "shortest_of_many", "largest_block")
 
 
-def constants():
-    text = WORKER.read_text()
-    names = ("ranks_worth_serving", "shares_each", "least_patience_s", "patience_untried_s", "taken_over_look_s", "step")
+def constants(source, names):
+    text = source.read_text()
     found = {name: re.search(rf"\b{name} = ([\d.']+)", text) for name in names}
     missing = [name for name in names if found[name] is None]
     if missing:
-        raise SystemExit(f"ranks: {', '.join(missing)} (not in {WORKER.name}: the rule has changed). Change it here too")
+        raise SystemExit(f"ranks: {', '.join(missing)} (not in {source.name}: the rule has changed). Change it here too")
     return {name: float(number[1].replace("'", "")) for name, number in found.items()}
+
+
+def waves_in_blocks(waves):
+    """As waves_per_block() of plan.cpp; the last block may be shorter."""
+    cut = {name: int(value) for name, value in constants(PLAN, CUT).items()}
+    per_look = min(max(waves // cut["blocks_wanted"], 1), cut["largest_block"])
+    of_many = min(max(waves // cut["many_blocks_wanted"], cut["shortest_of_many"]), cut["largest_block"])
+    size = min(per_look, of_many)
+    return [min(size, waves - first) for first in range(0, waves, size)]
 
 
 class Run:
@@ -37,6 +52,7 @@ class Run:
     def __init__(self, rule, ranks, costs, speeds, takes_over):
         self.rule, self.ranks, self.costs, self.speeds, self.takes_over = rule, ranks, costs, speeds, takes_over
         self.given, self.there, self.finished = 0, set(), {}
+        self.open = set(range(len(costs)))
         self.next, self.end = [0] * ranks, [0] * ranks
         self.longest, self.looks = [0.0] * ranks, [0] * ranks
         self.events, self.ends = [], 0.0
@@ -74,7 +90,7 @@ class Run:
 
     def idle(self, now, rank):
         self.looks[rank] += 1
-        missing = [block for block in range(len(self.costs)) if block not in self.there]
+        missing = sorted(self.open)
         chosen = (rank + self.looks[rank] * int(self.rule["step"])) % self.ranks < 2 * len(missing)
         if missing and chosen:
             self.compute(now, rank, missing[rank % len(missing)], "other's")
@@ -97,6 +113,7 @@ class Run:
                     self.at(now + self.rule["taken_over_look_s"], rank, "look", block)
             elif (rank, block) not in broken_off:
                 self.there.add(block)
+                self.open.discard(block)
                 self.longest[rank] = max(self.longest[rank], self.costs[block] * self.speeds[rank])
                 self.finished.setdefault(rank, set()).add(block)
                 self.ends = now
@@ -107,17 +124,22 @@ class Run:
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--ranks", type=int, nargs="+", default=[8, 100, 1000])
-    parser.add_argument("--block", type=float, default=5)
+    parser.add_argument("--waves", type=int, default=262144)
+    parser.add_argument("--wave", type=float, default=0.04)
+    parser.add_argument("--block", type=float)
     parser.add_argument("--blocks-each", type=int, default=40)
     parser.add_argument("--scatter", type=float, default=0.3)
     parser.add_argument("--slow", type=float, default=20)
     parser.add_argument("--check", action="store_true")
+    parser.add_argument("--check-equal", action="store_true")
     options = parser.parse_args()
-    rule, failed = constants(), False
+    rule, slow_costs, idle = constants(WORKER, RULE), False, False
     print(f"{'ranks':>6} {'blocks':>7}  {'alike':>16}  {'one slow':>16}  {'one slow, taken over':>20}   wall time [s], share that works")
     for ranks in options.ranks:
         draw = random.Random(2013)
-        costs = [options.block * draw.lognormvariate(-0.5 * options.scatter**2, options.scatter) for _ in range(ranks * options.blocks_each)]
+        lengths = [options.block] * (ranks * options.blocks_each) if options.block else \
+            [options.wave * count for count in waves_in_blocks(options.waves)]
+        costs = [length * draw.lognormvariate(-0.5 * options.scatter**2, options.scatter) for length in lengths]
         alike, slow = [1.0] * ranks, [1.0] * (ranks - 1) + [options.slow]
         cells, walls = [], []
         for speeds, takes_over in ((alike, True), (slow, False), (slow, True)):
@@ -125,9 +147,9 @@ def main():
             able = sum(1 / speed for speed in speeds)  # rank 0 counts, whether it computes or not
             cells.append(f"{walls[-1]:8.1f} {100 * sum(costs) / (walls[-1] * able):6.1f} %")
         print(f"{ranks:>6} {len(costs):>7}  {cells[0]:>16}  {cells[1]:>16}  {cells[2]:>20}")
-        failed = failed or walls[2] > 1.1 * walls[0] * ranks / (ranks - 1 + 1 / options.slow)
-        failed = failed or (ranks >= 1000 and sum(costs) < 0.9 * walls[0] * ranks)
-    return 1 if options.check and failed else 0
+        slow_costs = slow_costs or walls[2] > 1.1 * walls[0] * ranks / (ranks - 1 + 1 / options.slow)
+        idle = idle or (ranks >= 1000 and sum(costs) < 0.9 * walls[0] * ranks)
+    return 1 if (options.check and (slow_costs or idle)) or (options.check_equal and idle) else 0
 
 
 if __name__ == "__main__":
