@@ -150,12 +150,12 @@ std::vector<std::string> CampaignInput::differences(CampaignInput const& other) 
 std::vector<std::string> CampaignInput::differences_of_rows(CampaignInput const& other) const {
     auto const bodies = stated_bodies(*this);
     auto const bodies_now = stated_bodies(other);
-    Names const own(bodies.begin(), bodies.end());
-    Names const of_other(bodies_now.begin(), bodies_now.end());
+    Names const names(bodies.begin(), bodies.end());
+    Names const names_now(bodies_now.begin(), bodies_now.end());
     auto before = decisive_values(*this);
     auto now = decisive_values(other);
-    erase_bodies_apart(before, own, of_other);
-    erase_bodies_apart(now, of_other, own);
+    erase_bodies_apart(before, names, names_now);
+    erase_bodies_apart(now, names_now, names);
     erase_extent(before);
     erase_extent(now);
     std::vector<std::string> found;

@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "campaign/campaign_spec.hpp"
+#include "campaign/detail/campaign_keys.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "config/key.hpp"
 
@@ -143,9 +143,9 @@ std::vector<StatedRecord> stated_records(CampaignInput const& input) {
 }
 
 RecordsApart records_apart(CampaignInput const& before, CampaignInput const& now) {
-    auto const there = stated_records(before);
-    auto const here = stated_records(now);
-    return {without(there, here), without(here, there)};
+    auto const begun = stated_records(before);
+    auto const stated = stated_records(now);
+    return {without(begun, stated), without(stated, begun)};
 }
 
 }  // namespace overturn
