@@ -55,8 +55,8 @@ MeasuredFragility fitted(CapacityTable const& table, FragilityRequest const& req
     MeasuredFragility measured;
     measured.name = "capacity";
     measured.label = table.column;
-    measured.units = "1";
-    measured.shown_in = {measured.units};
+    measured.units = table.unit.empty() ? "1" : table.unit;
+    measured.shown_in = {"1"};  // its column names the unit
     measured.fit = fragility_of(table.capacities, request);
     return measured;
 }

@@ -89,8 +89,8 @@ int fit_stripes(FitOptions const& options) {
     MeasuredFragility measured;
     measured.name = "amplitude";
     measured.label = table.amplitude;
-    measured.units = "1";
-    measured.shown_in = {measured.units};
+    measured.units = table.unit.empty() ? "1" : table.unit;
+    measured.shown_in = {"1"};  // its column names the unit
     if (!options.design_basis.empty()) {
         double const basis = design_basis_of(options.design_basis, table);
         measured.quote_base = "design-basis";
@@ -123,7 +123,7 @@ int fit_stripes(FitOptions const& options) {
     }
     std::vector<MeasuredFragility> const fits{measured};
     auto tables = output::curve_tables({.body = "", .confidence = request.confidence}, fits);
-    tables.insert(tables.begin(), output::stripe_table(stripes, request.confidence));
+    tables.insert(tables.begin(), output::stripe_table(stripes, measured.units, request.confidence));
     if (hazard) {
         std::ranges::move(output::frequency_tables(table.unit, frequencies, *hazard, request.confidence),
                           std::back_inserter(tables));

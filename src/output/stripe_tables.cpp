@@ -114,13 +114,15 @@ Table stripe_table(CampaignSpec const& spec, BodyStatistics const& body, std::si
     return table.take();
 }
 
-Table stripe_table(std::span<Stripe const> stripes, double confidence) {
+Table stripe_table(std::span<Stripe const> stripes, std::string const& unit, double confidence) {
     auto const rows = levels_of(stripes);
-    TableOf<AtLevel> table(
-        {.name = "stripes",
-         .constants = {{"body", std::string()}, {"limit", std::string(overturning_limit)}, {"confidence", confidence}}},
-        rows);
-    add_level(table, "1");
+    TableOf<AtLevel> table({.name = "stripes",
+                            .constants = {{"body", std::string()},
+                                          {"limit", std::string(overturning_limit)},
+                                          {"units", unit},
+                                          {"confidence", confidence}}},
+                           rows);
+    add_level(table, unit);
     add_counts(table, stripes, Passing::overturned);
     add_chances(table, stripes, confidence, true);
     return table.take();

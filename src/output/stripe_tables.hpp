@@ -14,8 +14,8 @@ namespace overturn::output {
 /// `stripes` of one body and limit state, a row per level. \param sample else counts without a probability (no_sample)
 [[nodiscard]] Table stripe_table(CampaignSpec const& spec, BodyStatistics const& body, std::size_t limit,
                                  double confidence, bool sample);
-/// `stripes` of a table without a campaign.
-[[nodiscard]] Table stripe_table(std::span<Stripe const> stripes, double confidence);
+/// `stripes` of a table without a campaign. \param unit of its amplitudes, as it states them; "1": none
+[[nodiscard]] Table stripe_table(std::span<Stripe const> stripes, std::string const& unit, double confidence);
 /// `models`: trials per model that answered them.
 [[nodiscard]] Table model_table(BodyStatistics const& body);
 /// `criterion_by_level`: how a criterion did against time histories. \param measure "v_wes" or "ou_v_e"

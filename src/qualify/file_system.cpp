@@ -46,7 +46,7 @@ Check locks(std::filesystem::path const& folder) {
     try {
         store::BlockLock const second(folder / "output.parts", {2, 3});
         check.remark = "no locks here: never start two runs on one output";
-    } catch (InputError const&) {
+    } catch (SystemError const&) {
         check.found = 0;
     }
     return check;

@@ -57,6 +57,8 @@ TEST_F(Fit, TablesOfOthersAreRead) {
         auto const theirs = table(header + std::string("\n1,54,2\n1.5,54,25\n2,54,43\n"));
         EXPECT_EQ(theirs["fragility"][0]["median"], own["fragility"][0]["median"]) << header;
         EXPECT_NE(theirs["amplitude"].get<std::string>().find("g"), std::string::npos);
+        EXPECT_EQ(theirs["fragility"][0]["units"], "g") << header;
+        EXPECT_EQ(theirs["stripes"][0]["units"], theirs["fragility"][0]["units"]) << header;
     }
     for (char const* header :
          {"Sa (g),No. of records,No. of collapses", "PGA_g,n_records,n_collapse", "Sa(1.0s)_gal,total,failures",
