@@ -116,7 +116,7 @@ int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& 
               {"block_waves", plan.block_size()},
               {"wave_source", spec.source->text()},
               {"wave_remarks", spec.source->about().remarks},
-              {"differ_by", spec.source->about().variability},
+              {"variability", spec.source->about().variability},
               {"records", ends_of_records(spec)},
               {"bodies", bodies_json(spec)},
               {"levels", planned_levels_json(spec.levels)},

@@ -117,7 +117,7 @@ Json spectra_json(CampaignSpec const& spec, SpectraOfWaves const& spectra) {
               {"waves", spectra.waves.size()},
               {"left_out", spectra.left_out},
               {"remarks", spec.source->about().remarks},
-              {"differ_by", spec.source->about().variability},
+              {"variability", spec.source->about().variability},
               {"damping", spectra.damping},
               {"energy_damping", spectra.energy_damping},
               {"period_s", spectra.period_s},

@@ -36,7 +36,7 @@ struct StatusReport {
 };
 
 Json counts_json(WaveCounts const& waves, std::int64_t planned) {
-    return {{"counted", waves.waves}, {"planned", planned}, {"refused", waves.refused}, {"failed", waves.failed}};
+    return {{"done", waves.waves}, {"planned", planned}, {"refused", waves.refused}, {"failed", waves.failed}};
 }
 
 std::int64_t trials_of(CampaignSpec const& spec, std::int64_t waves) {
@@ -98,7 +98,7 @@ StatusReport report_of_file(std::string const& path, Unverified const& unverifie
                     {"content_sha256", digest},
                     {"title", file.text("title")},
                     {"waves", counts_json(counted.waves(), planned)},
-                    {"trials", {{"counted", trials}, {"planned", trials_of(spec, planned)}, {"failed", failures}}}};
+                    {"trials", {{"done", trials}, {"planned", trials_of(spec, planned)}, {"failed", failures}}}};
     return report;
 }
 

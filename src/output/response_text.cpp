@@ -15,16 +15,6 @@
 namespace overturn::output {
 namespace {
 
-Json names_json(std::int64_t mask) {
-    auto names = Json::array();
-    for (auto const& entry : effects()) {
-        if (has(static_cast<EffectMask>(mask), entry.value)) {
-            names.push_back(entry.name);
-        }
-    }
-    return names;
-}
-
 // Quantities that models share are those of the one that ran: the others know nothing of theirs.
 void add_extra_json(Json& json, ModelSelector const& selector, std::span<std::byte const> extra) {
     static constexpr std::array matched{"restitution", "corner_share", "normal_restitution"};
@@ -132,8 +122,8 @@ Json json_of(OneResponse const& of) {
     for (auto const& field : fields_of<Response>()) {
         json[field.key()] = value_json(bytes_of(response), field);
     }
-    json["effects"] = names_json(response.effects);
-    json["effects_called"] = names_json(response.called);
+    json["effects"] = effect_names(response.effects);
+    json["effects_called"] = effect_names(response.called);
     json["overturned"] = entry_of(response.verdict).fell;
     auto stated = stated_of(fields_of<Response>(), bytes_of(response), spec.units);
     stated["limit_velocity"] = stated_json(spec.body.limit_velocity_mps(), spec.units.velocity);

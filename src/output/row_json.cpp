@@ -6,6 +6,7 @@
 
 #include "campaign/typed_units.hpp"
 #include "response/model_selector.hpp"
+#include "response/registry.hpp"
 
 namespace overturn::output {
 
@@ -18,6 +19,16 @@ Json value_json(std::span<std::byte const> row, Field const& field) {
     }
     double const value = real_at(row, field);
     return std::isnan(value) ? Json(nullptr) : Json(value);
+}
+
+Json effect_names(std::int64_t mask) {
+    auto names = Json::array();
+    for (auto const& entry : effects()) {
+        if (has(static_cast<EffectMask>(mask), entry.value)) {
+            names.push_back(entry.name);
+        }
+    }
+    return names;
 }
 
 Json stated_of(Fields const& fields, std::span<std::byte const> row, TypedUnits const& units) {
@@ -41,6 +52,8 @@ Json replay_json(ReplayedTrial const& of) {
     for (auto const& field : fields_of<TrialRow>()) {
         columns[field.key()] = value_json(bytes_of(row), field);
     }
+    columns["effects"] = effect_names(row.effects);
+    columns["called"] = effect_names(row.called);
     ModelSelector const selector(of.spec.effects, of.spec.accuracy);
     std::span<std::byte const> const own(of.trial.extra);
     for (auto const& [traits, offset] : selector.extra_parts()) {

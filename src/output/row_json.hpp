@@ -18,6 +18,8 @@ namespace overturn::output {
 /// A value of a row; null: it never came.
 [[nodiscard]] Json value_json(std::span<std::byte const> row, Field const& field);
 
+/// Names of the effects in a mask.
+[[nodiscard]] Json effect_names(std::int64_t mask);
 /// {"peak_slip": {"value": 12, "unit": "mm"}, ...}: of all fields that are lengths, angles, velocities or
 /// accelerations.
 [[nodiscard]] Json stated_of(Fields const& fields, std::span<std::byte const> row, TypedUnits const& units);

@@ -151,7 +151,7 @@ Table criterion_level_table(CampaignSpec const& spec, BodyStatistics const& body
     TableOf<AtLevel> table({.name = "criterion_by_level",
                             .group = fmt::format("criterion_by_level/{}/{}", body.body, measure),
                             .axis = "amplitude",
-                            .constants = {{"body", body.body}, {"criterion", measure}, {"units", spec.levels.units()}}},
+                            .constants = {{"body", body.body}, {"measure", measure}, {"units", spec.levels.units()}}},
                            rows);
     add_level(table, spec.levels.units());
     auto const of = [&cells](std::int64_t Confusion::*member) {

@@ -25,7 +25,7 @@ void write_campaign(store::ResultsWriter& file, CampaignInput const& input, Camp
     file.attribute("level_measure", spec.levels.measure_name());
     file.attribute("level_units", spec.levels.units());
     file.attribute("wave_source", spec.source->text());
-    file.attribute("wave_variability", spec.source->about().variability);
+    file.attribute("variability", spec.source->about().variability);
     file.attribute("wave_acceptance", spec.source->about().acceptance.rule);
     auto const kept = kept_inputs(input);
     for (auto const& [name, content] : kept) {

@@ -453,7 +453,7 @@ TEST_F(Extend, AKillLosesNothing) {
     EXPECT_EQ(told.code, 3);
     auto const facts = nlohmann::json::parse(told.out);
     EXPECT_EQ(facts["complete"], true);
-    EXPECT_EQ(facts["trials"]["counted"], 120);
+    EXPECT_EQ(facts["trials"]["done"], 120);
     auto const& extension = facts["extension"];
     EXPECT_EQ(extension["complete"], false);
     EXPECT_EQ(extension["waves"]["planned"], 120);

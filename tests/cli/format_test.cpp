@@ -301,7 +301,7 @@ TEST_F(Format, AFileWithFewerColumnsIsRead) {
     auto const less = nlohmann::json::parse(fitted.out);
     auto judged = nlohmann::json::object();
     for (auto const& row : less.at("criterion_by_level")) {
-        auto& count = judged[row.at("criterion").get<std::string>()];
+        auto& count = judged[row.at("measure").get<std::string>()];
         count = (count.is_null() ? 0 : count.get<int>()) + row.at("true_safe").get<int>()
                 + row.at("false_safe").get<int>() + row.at("false_alarm").get<int>()
                 + row.at("true_overturn").get<int>();

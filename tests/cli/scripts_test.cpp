@@ -63,8 +63,8 @@ TEST_F(Scripts, StatusIsJson) {
     auto const digest = file["content_sha256"].get<std::string>();
     EXPECT_EQ(digest.size(), 64U);
     EXPECT_NE(overturn(folder, {"status", "done.h5"}).out.find("content_sha256 " + digest + "\n"), std::string::npos);
-    EXPECT_EQ(file["waves"]["counted"], 3);
-    EXPECT_EQ(file["trials"], (json{{"counted", 18}, {"planned", 18}, {"failed", 0}}));
+    EXPECT_EQ(file["waves"]["done"], 3);
+    EXPECT_EQ(file["trials"], (json{{"done", 18}, {"planned", 18}, {"failed", 0}}));
     EXPECT_TRUE(file["extension"].is_null());
 }
 
@@ -204,7 +204,7 @@ TEST_F(Scripts, PlanIsJson) {
     auto const plan = told({"plan", "c.toml", "--json", "--ranks", "16"});
     for (auto const* key :
          {"title",        "waves",           "trials",   "blocks",      "block_waves", "wave_source",
-          "differ_by",    "records",         "bodies",   "levels",      "limits",      "effects",
+          "variability",  "records",         "bodies",   "levels",      "limits",      "effects",
           "validated",    "rare_max_waves",  "warnings", "assumptions", "file_bytes",  "scratch_bytes",
           "memory_bytes", "waves_of_curves", "probe",    "ranks"}) {
         EXPECT_TRUE(plan.contains(key)) << key;

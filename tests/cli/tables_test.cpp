@@ -44,8 +44,8 @@ TEST(Tables, OfFileAndJsonShareAllNames) {
     ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
     auto const fit = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
     store::ResultsReader const file(folder / "c.h5");
-    std::set<std::string> const constants{"body",  "limit",    "confidence", "measure",     "units",
-                                          "label", "quantity", "criterion",  "level_units", "independent_are"};
+    std::set<std::string> const constants{"body",  "limit",    "confidence",  "measure",        "units",
+                                          "label", "quantity", "level_units", "independent_are"};
     std::set<std::string> const words{"warnings",       "verdict",    "assumptions", "levels",
                                       "telling_trials", "hand_check", "answer"};
 
@@ -86,8 +86,8 @@ TEST(Tables, OfFileAndJsonHaveTheSameNumbers) {
         std::map<std::string, std::size_t> next;
         for (auto const& row : fit.at(table)) {
             auto const body = row.at("body").get<std::string>();
-            auto const group = table + "/" + body
-                               + (table == "criterion_by_level" ? "/" + row.at("criterion").get<std::string>() : "");
+            auto const group =
+                table + "/" + body + (table == "criterion_by_level" ? "/" + row.at("measure").get<std::string>() : "");
             auto const place = next[group]++;
             for (auto const& [name, value] : row.items()) {
                 auto const path = group + "/" + name;

@@ -136,7 +136,7 @@ def main():
         phases.run("run --leave-blocks", ["run", "c.toml", "-o", "c.h5", "--leave-blocks"], launcher)
         phases.run("merge", ["merge", "c.h5"], launcher)
         phases.run("status --json", ["status", "c.h5", "--json"])
-        counted = json.loads(phases.told)["trials"]["counted"]
+        counted = json.loads(phases.told)["trials"]["done"]
         if counted != asked.trials:
             raise SystemExit(f"status counts {counted} trials")
         phases.run("fit", ["fit", "c.h5"])
