@@ -110,7 +110,7 @@ std::string body_text(BodyAnalysis const& body, double confidence) {
         fmt::format("\n{}: fragility curves from {} {}; confidence intervals by {}\n", body.body, levels.waves, of,
                     levels.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap over waves"
                     : levels.method == FragilityFit::Method::widest
-                        ? "the widest of bootstrap over waves, profile likelihood and as many exact capacities"
+                        ? "the widest of bootstrap over waves and likelihood"
                         : "profile likelihood");
     text += fmt::format("  variability of waves: {}\n", body.variability);
     text += body.sigma ? fmt::format("  {}\n", sigma_text(*body.sigma)) : "";

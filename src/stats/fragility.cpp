@@ -25,7 +25,7 @@ double lowest_proportion(std::span<FragilityPoint const> points) {
 
 void raise_if(FragilityFit& fit, bool condition, FragilityFlag flag) { fit.flags |= condition ? bit(flag) : 0; }
 
-void describe(FragilityFit& fit, FragilityData const& data) {
+void describe(FragilityFit& fit, FragilityData const& data, FragilityRequest const& request) {
     auto const sum = sum_of(data.points);
     fit.trials = sum.trials;
     fit.overturned = sum.overturned;
@@ -37,7 +37,8 @@ void describe(FragilityFit& fit, FragilityData const& data) {
     raise_if(fit, data.waves_left_out, FragilityFlag::waves_left_out);
     raise_if(fit, fit.waves > 0 && fit.waves < waves_enough_to_resample, FragilityFlag::few_waves);
     using enum FragilityFit::Method;
-    bool const few = has(fit.flags, FragilityFlag::few_waves) || data.waves_known == WavesKnown::no;
+    bool const few = has(fit.flags, FragilityFlag::few_waves) || data.waves_known == WavesKnown::no
+                     || is_nested(data, request, fit.waves);
     fit.method = !data.waves_shared ? profile_likelihood : few ? widest : bootstrap_by_waves;
     raise_if(fit, fit.overturned == 1 && fit.trials > 1, FragilityFlag::one_overturned);
     if (data.points.empty()) {
@@ -83,7 +84,7 @@ void add_betas(FragilityFit& fit, FragilityRequest const& request) {
 }
 
 void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest const& request) {
-    auto const attempt = fit_curve(data.points, data.trials, data.fewest_waves, request);
+    auto const attempt = fit_curve(data, request);
     fit.state = attempt.state;
     if (!attempt.curve) {
         return;
@@ -270,7 +271,7 @@ FragilityFit fit_fragility(FragilityData const& data, FragilityRequest const& re
     FragilityFit fit;
     fit.passing = request.passing;
     add_betas(fit, request);
-    describe(fit, data);
+    describe(fit, data, request);
     fit.state = state_of(data.points);
     if (fit.state == FragilityState::fitted && fit.waves > 0 && fit.waves < least_waves) {
         fit.state = FragilityState::few_waves;

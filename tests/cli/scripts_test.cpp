@@ -158,7 +158,10 @@ TEST_F(Scripts, ProgressIsLinesOfJson) {
             EXPECT_EQ(last_line(bad.err), (json{{"event", "end"}, {"output", "c.h5"}, {"exit_code", code}})) << bad.err;
         }
     }
-    Running told(folder, mpirun(2, {"run", "c.toml", "--resume", "--progress", "json"}));
+    auto patient = mpirun(2, {"run", "c.toml", "--resume", "--progress", "json"});
+    // mpirun kills a second after its TERM, which a busy machine may need.
+    patient.insert(patient.begin() + 1, {"--mca", "odls_base_sigkill_timeout", "20"});
+    Running told(folder, patient);
     auto const before = blocks_done(folder, "c.h5");
     ASSERT_TRUE(comes_true([&] { return blocks_done(folder, "c.h5") > before; }));
     told.signal(SIGTERM);

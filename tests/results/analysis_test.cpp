@@ -89,7 +89,7 @@ TEST_F(AnalysisOfRows, LevelsAreStripesAndWavesAreResampled) {
     EXPECT_EQ(levels.name, "pga");
     EXPECT_EQ(levels.fit.isotonic.back().to, std::exp(std::log(9.0)));
     EXPECT_EQ(levels.fit.waves, 40);
-    EXPECT_EQ(levels.fit.method, FragilityFit::Method::bootstrap_by_waves);
+    EXPECT_EQ(levels.fit.method, FragilityFit::Method::widest) << "of resamples and of ranges of capacities";
     ASSERT_TRUE(levels.fit.identifiable());
     ASSERT_EQ(levels.fit.quotes.size(), 4U);
     EXPECT_EQ(levels.fit.quotes[1].quote.intensity, 9);

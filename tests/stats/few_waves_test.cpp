@@ -120,6 +120,42 @@ TEST(FewWaves, IntervalsHoldWhereAllLevelsMayHaveTheSameWaves) {
     EXPECT_LT(alone, 0.8 * campaigns) << "the control: taken as independent";
 }
 
+// Where few of the waves fall, resampling them gives too high a lower end of the 5 % point: it has to hold still.
+TEST(FewWaves, LowLevelsOfNamedWavesHoldTheFivePercentPoint) {
+    constexpr int waves = 40, campaigns = 200;
+    constexpr double beta = 0.4;
+    int above = 0, resampled_above = 0;
+    for (int campaign = 0; campaign < campaigns; ++campaign) {
+        FragilityData data;
+        data.waves_shared = true;
+        std::vector<Stripe> stripes;
+        for (double const level : {0.45, 0.55, 0.65, 0.78}) {
+            stripes.push_back({.amplitude = level, .trials = waves});
+        }
+        for (std::uint64_t wave = 0; wave < waves; ++wave) {
+            RandomStream stream(5097 + campaign, wave, Purpose::bootstrap);
+            double const capacity = std::exp(gsl_ran_gaussian(stream.gsl(), beta));
+            for (auto& stripe : stripes) {
+                bool const fell = capacity <= stripe.amplitude;
+                stripe.overturned += fell ? 1 : 0;
+                auto const number = static_cast<std::int64_t>(wave);
+                data.trials.push_back({stripe.amplitude, number, fell, number});
+            }
+        }
+        data.points = points_of(stripes);
+        FragilityRequest request;
+        request.bootstrap.replicates = 300;
+        auto const fit = fit_fragility(data, request);
+        if (fit.identifiable()) {
+            double const truth = std::exp(-1.645 * beta);
+            above += fit.intervals().five_percent_point.lower > truth ? 1 : 0;
+            resampled_above += fit.bootstrap->five_percent_point.lower > truth ? 1 : 0;
+        }
+    }
+    EXPECT_LE(above, 0.05 * campaigns);
+    EXPECT_GT(resampled_above, 0.06 * campaigns) << "the control: resampling alone";
+}
+
 // Hesterberg (2015): Student's t for the normal quantile, and the scatter that resampling loses.
 TEST(FewWaves, AreReadAtAHigherConfidence) {
     EXPECT_EQ(resampled_confidence(0.95, 30), 0.95);

@@ -51,10 +51,10 @@ void add_hclpf(CurveFit& fit, FragilityRequest const& request) {
         fit.profile.hclpf = lowered(fit.profile.five_percent_point, margin);
         fit.bootstrap.hclpf = lowered(fit.bootstrap.five_percent_point, margin);
     }
-    if (fit.few && fit.bootstrap.hclpf) {  // as much wider as the 5 % point
+    if (fit.of_capacities && fit.bootstrap.hclpf) {  // as much wider as the 5 % point
         auto const& five = fit.bootstrap.five_percent_point;
-        auto const& few = fit.of_few.five_percent_point;
-        fit.of_few.hclpf =
+        auto const& few = fit.of_capacities->five_percent_point;
+        fit.of_capacities->hclpf =
             Interval{five.lower > 0 ? fit.bootstrap.hclpf->lower * few.lower / five.lower : 0,
                      fit.bootstrap.hclpf->upper * (std::isfinite(five.upper) ? few.upper / five.upper : 1)};
     }
@@ -103,6 +103,12 @@ std::vector<FragilityPoint> undecided_shares(FragilityData const& data) {
 
 }  // namespace
 
+bool is_nested(FragilityData const& data, FragilityRequest const& request, std::int64_t waves) {
+    constexpr std::int64_t most_of_levels = 10'000, most_of_measure = 200;
+    auto const most = data.kind == FragilityData::Kind::stripes ? most_of_levels : most_of_measure;
+    return data.waves_shared && waves > 1 && waves <= most && !(request.draws_balanced && request.split);
+}
+
 void widen(Intervals& to, Intervals const& by) {
     to.median = hull(to.median, by.median);
     to.beta = hull(to.beta, by.beta);
@@ -116,7 +122,7 @@ FragilityFit::Intervals CurveFit::ends(FragilityFit::Method method) const {
     auto made = method == FragilityFit::Method::profile_likelihood ? profile : bootstrap;
     if (method == FragilityFit::Method::widest) {
         widen(made, profile);
-        widen(made, few ? of_few : made);
+        widen(made, of_capacities.value_or(made));
     }
     return made;
 }
@@ -129,12 +135,14 @@ Interval CurveFit::probability(double intensity, FragilityFit::Method method) co
     if (method == FragilityFit::Method::widest) {
         ends = hull(ends, likelihood.probability(intensity));
         ends = few ? hull(ends, few->probability(intensity)) : ends;
+        ends = nested ? hull(ends, nested->probability(intensity)) : ends;
     }
     return ends;
 }
 
-CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleTrial const> trials,
-                       std::int64_t fewest_waves, FragilityRequest const& request) {
+CurveAttempt fit_curve(FragilityData const& data, FragilityRequest const& request) {
+    auto const& points = data.points;
+    auto const& trials = data.trials;
     auto const line = fit_probit(points);
     if (!line) {
         return {FragilityState::not_converged, std::nullopt};
@@ -148,15 +156,32 @@ CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleT
     }
     auto refits = resample(points, trials, *line, request);
     double const five_percent = gsl_cdf_ugaussian_P(-hclpf_score);
-    auto const waves = trials.empty() ? fewest_waves : waves_of(trials);
+    auto const waves = trials.empty() ? data.fewest_waves : waves_of(trials);
     double const resampled = trials.empty() ? request.confidence : resampled_confidence(request.confidence, waves);
-    CurveFit fit{*line, profile, std::move(refits), {}, {}, {}, {}, resampled};
+    CurveFit fit{*line, profile, std::move(refits), {}, {}, {}, {}, {}, resampled};
     fit.profile = {profile.intensity(0.5), profile.beta(), profile.intensity(five_percent), std::nullopt};
     fit.bootstrap = {fit.refits.intensity(0.5, resampled), fit.refits.beta(resampled),
                      fit.refits.intensity(five_percent, resampled), std::nullopt};
     if (waves > 1 && (waves < waves_enough_to_resample || trials.empty())) {
         fit.few.emplace(*line, waves, request.confidence);
-        fit.of_few = {fit.few->median(), fit.few->beta(), fit.few->intensity(five_percent), std::nullopt};
+    }
+    if (is_nested(data, request, waves)) {
+        fit.nested.emplace(trials.empty() ? ranges_of(points, static_cast<double>(waves)) : ranges_of(trials), *line,
+                           request.confidence);
+    }
+    auto const take = [&](auto const& capacities) {
+        Intervals const ends{capacities.median(), capacities.beta(), capacities.intensity(five_percent), std::nullopt};
+        if (fit.of_capacities) {
+            widen(*fit.of_capacities, ends);
+        } else {
+            fit.of_capacities = ends;
+        }
+    };
+    if (fit.few) {
+        take(*fit.few);
+    }
+    if (fit.nested) {
+        take(*fit.nested);
     }
     add_hclpf(fit, request);
     return {FragilityState::fitted, std::move(fit)};
@@ -167,10 +192,11 @@ UndecidedExtremes weigh_undecided(FragilityData const& data, CurveFit const& dec
     UndecidedExtremes extremes{false, decided.ends(method), {}};
     double highest = decided.line.log_median();
     for (bool const fallen : {false, true}) {
-        auto const points = with_undecided(data, fallen);
-        auto const attempt = state_of(points) == FragilityState::fitted
-                                 ? fit_curve(points, with_open_trials(data, fallen), data.fewest_waves, request)
-                                 : CurveAttempt{};
+        auto extreme = data;
+        extreme.points = with_undecided(data, fallen);
+        extreme.trials = with_open_trials(data, fallen);
+        auto const attempt =
+            state_of(extreme.points) == FragilityState::fitted ? fit_curve(extreme, request) : CurveAttempt{};
         widen(extremes.ends, attempt.curve ? attempt.curve->ends(method) : all_open);
         extremes.refits.push_back(attempt.curve ? attempt.curve->refits.replicates() : std::vector<Replicate>{});
         double const median = attempt.curve ? attempt.curve->line.log_median() : infinite;

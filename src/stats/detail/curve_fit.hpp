@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "stats/detail/few_capacities.hpp"
+#include "stats/detail/nested_capacities.hpp"
 #include "stats/detail/profile_likelihood.hpp"
 #include "stats/fragility.hpp"
 #include "stats/scores.hpp"
@@ -19,12 +20,19 @@ struct CurveFit {
     FragilityFit::Intervals profile, bootstrap;
     /// By so many exact capacities, where waves are few or not known.
     std::optional<FewCapacities> few = {};
-    FragilityFit::Intervals of_few = {};
+    /// By the range of each wave's capacity, where waves have several trials.
+    std::optional<NestedCapacities> nested = {};
+    std::optional<FragilityFit::Intervals> of_capacities = {};  ///< the hull of both
     double resampled_confidence = 0.95;  ///< at which resamples are read for the stated one (stats/bootstrap.hpp)
 
     [[nodiscard]] FragilityFit::Intervals ends(FragilityFit::Method method) const;
     [[nodiscard]] Interval probability(double intensity, FragilityFit::Method method) const;
 };
+
+/// Are the ranges of waves' capacities among what the intervals are made of? Of levels they gather in few ranges, of a
+/// measured intensity each wave has its own, so that many cost time. Balanced draws are no part of the error, which
+/// they would count.
+[[nodiscard]] bool is_nested(FragilityData const& data, FragilityRequest const& request, std::int64_t waves);
 
 /// Each interval becomes the hull of itself and the other; HCLPF stays unknown where it was.
 void widen(FragilityFit::Intervals& to, FragilityFit::Intervals const& by);
@@ -34,10 +42,9 @@ struct CurveAttempt {
     std::optional<CurveFit> curve;
 };
 
-/// \param trials the same one by one, or none: every trial then counts as independent \param fewest_waves of them,
-/// where there are none; 0: not known \pre they overlap (state_of)
-[[nodiscard]] CurveAttempt fit_curve(std::span<FragilityPoint const> points, std::span<SingleTrial const> trials,
-                                     std::int64_t fewest_waves, FragilityRequest const& request);
+/// \param data what is fitted to: its trials one by one, or none, where every trial counts as independent
+/// \pre they overlap (state_of)
+[[nodiscard]] CurveAttempt fit_curve(FragilityData const& data, FragilityRequest const& request);
 
 /// Results that hold whatever the undecided trials would have done.
 struct UndecidedExtremes {
