@@ -9,9 +9,10 @@ scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
 for format in 3 4 5; do gunzip -c "$2/tests/golden/results-$format.h5.gz" > "format-$format.h5"; done
-cp "$here/campaign.toml" .
+cp "$here/campaign.toml" "$here/rare.toml" .
 export PYTHONPATH=$2/src/report PYTHONDONTWRITEBYTECODE=1 OVERTURN=$program
 "$program" run campaign.toml > run.txt
+"$program" run rare.toml > run.txt
 /usr/bin/python3 "$here/reading.py"
 /usr/bin/python3 "$here/calling.py"
 

@@ -126,21 +126,61 @@ class Frames(unittest.TestCase):
 
 
 class Groups(unittest.TestCase):
-    def test_all_make_frames_and_datasets(self):
-        results = overturn.open("campaign.h5")
+    def all_make_frames_and_datasets(self, path, some):
+        results = overturn.open(path)
         groups = {group for group, _, _ in stored_columns(results.file)} - {"inputs"}
-        self.assertTrue({"waves/wide one", "trials/contact", "quantiles/flat/peak_rotation_ratio", "criterion_by_level/flat/v_wes", "limits/slides/fragility/flat"} <= groups)
+        self.assertLessEqual(some, groups)
         for group in groups:
             table = results.table(group)
             frame, data = table.to_pandas(), table.to_xarray()
+            if len({column.values.shape for column in table.values()}) == 1:
+                self.assertEqual(set(frame.columns), set(table), group)
             self.assertGreater(len(frame.columns), 0, group)
-            self.assertEqual(set(data.variables), set(table), group)
+            self.assertEqual(set(data.variables) | {"row"}, set(table) | {"row"}, group)
             for name, column in table.rows.items():
                 kept = column.names if column.categories else column.values
                 np.testing.assert_array_equal(frame[name].astype(str) if column.categories else frame[name], kept, group)
                 np.testing.assert_array_equal(data[name].values, kept, group)
                 self.assertEqual(frame.attrs["units"][name], column.units)
                 self.assertEqual(data[name].attrs["units"], column.units)
+
+    def test_all_make_frames_and_datasets(self):
+        self.all_make_frames_and_datasets("campaign.h5", {
+            "waves/wide one", "trials/contact", "quantiles/flat/peak_rotation_ratio", "criterion_by_level/flat/v_wes",
+            "limits/slides/fragility/flat", "limit_states", "pairs/slides"})
+        self.all_make_frames_and_datasets("rare.h5", {"rare_health/block", "rare_replicates/block", "rare/block/rows"})
+
+    def test_whose_columns_name_no_axis_have_numbered_rows(self):
+        results = overturn.open("campaign.h5")
+        table = results.by_body("isotonic")["flat"]
+        self.assertEqual((table.axis, table["to"].axes), ("row", ("row",)))
+        shared = results.by_body("isotonic")
+        frame, data = shared.to_pandas(), shared.to_xarray()
+        self.assertEqual(data["to"].dims, ("body", "row"))
+        self.assertEqual(len(frame), sum(len(each["to"]) for each in shared.values()))
+        for body, each in shared.items():
+            rows = len(each["to"])
+            np.testing.assert_array_equal(data["row"][:rows], range(rows))
+            np.testing.assert_array_equal(data["to"].sel(body=body)[:rows], each["to"].values)
+            np.testing.assert_array_equal(frame[frame["body"] == body]["to"], each["to"].values)
+        probabilities = results.by_body("probabilities")
+        self.assertEqual(set(probabilities.to_pandas().columns), {"body", *probabilities["flat"]})
+        self.assertEqual(set(probabilities.to_xarray().data_vars), set(probabilities["flat"]))
+        self.assertEqual(list(results.table("limit_states").to_pandas()["name"]), ["overturning", "slides"])
+
+    def test_of_other_groups_name_those_below_them(self):
+        results = overturn.open("campaign.h5")
+        below = "quantiles/flat/peak_rotation_ratio, quantiles/wide one/peak_rotation_ratio, quantiles/wide one/peak_slip"
+        for group in ("quantiles", "pairs", "together", "criterion_by_level", "quantiles/wide one", "stripes"):
+            with self.assertRaisesRegex(overturn.Error, f"campaign.h5: {group} holds no columns itself, .* {group}/"):
+                results.table(group)
+        with self.assertRaisesRegex(overturn.Error, below + "$"):
+            results.table("quantiles")
+        with self.assertRaisesRegex(overturn.Error, "quantiles/flat holds no columns itself, .* quantiles/flat/peak_rotation_ratio$"):
+            results.by_body("quantiles")
+        with self.assertRaisesRegex(overturn.Error, r'limit_states holds no groups, but columns. Ask for table\("limit_states"\)'):
+            results.by_body("limit_states")
+        self.assertEqual(list(results.by_body("quantiles/wide one")), ["peak_rotation_ratio", "peak_slip"])
 
 
 class Datasets(unittest.TestCase):

@@ -1,6 +1,7 @@
 """Tables as pandas and xarray objects."""
 
 from .errors import Error, require
+from .results import ROW
 
 
 def chosen(columns, names):
@@ -64,6 +65,8 @@ def dataset_of(table, names=None):
             attributes["categories"] = list(column.categories)
         variables[name] = (column.axes, column.names if column.categories else column.values, attributes)
     coordinates = {name: variables.pop(name) for name in list(variables) if name in axes}
+    if ROW in axes and ROW not in table:
+        coordinates[ROW] = (ROW, range(len(next(iter(columns.values())))), {"units": "1", "long_name": "number of the row"})
     return xarray.Dataset(variables, coordinates, table.attrs)
 
 

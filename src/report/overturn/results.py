@@ -15,6 +15,7 @@ import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
 OLDEST, NEWEST = 3, 5  # formats that this reader knows
+ROW = "row"  # the axis of tables that name none
 # Of the file's bytes; where these are more than a stretch, of the digests of its stretches (src/store/seal.cpp).
 SEAL = re.compile(rb"\noverturn-seal sha256 (of the sha256 of every 64 MiB )?([0-9a-f]{64}) of ([0-9]{20}) bytes\n\Z")
 LONGEST_SEAL, STRETCH = 256, 64 << 20
@@ -89,18 +90,28 @@ class Column:
 
 
 class Table(Mapping):
-    """Columns by name. `axis` is the one that its rows lie on; the attributes of its group are in `attrs`."""
+    """Columns by name. `axis` is the one that its rows lie on ("row" if no column names them); the attributes of its group
+    are in `attrs`."""
 
     def __init__(self, group, only=None):
         self.attrs = {key: plain(value) for key, value in group.attrs.items()}
         self._columns = {name: Column(data) for name, data in group.items()
                          if isinstance(data, h5py.Dataset) and (only is None or name in only)}
+        self._share_rows()
         axes = [column.axes[0] for column in self._columns.values() if column.axes and column.axes[0]]
         self.axis = max(axes, key=axes.count) if axes else ""
         lengths = {len(column) for column in self._columns.values() if column.axes == (self.axis,)}
         for column in self._columns.values():
             if column.axes == ("",):  # as long as the others: a row each
                 column.axes = (self.axis if len(column) in lengths else column.name,)
+
+    def _share_rows(self):
+        """Where every column is its own axis, as long as the others, none names the rows: they are numbered."""
+        columns = self._columns.values()
+        apart = len(columns) > 1 and all(column.axes == (column.name,) for column in columns)
+        if apart and len({len(column) for column in columns}) == 1:
+            for column in columns:
+                column.axes = (ROW,)
 
     def __getitem__(self, name):
         return self._columns[name]
@@ -219,19 +230,32 @@ class Results:
         return place in self.file
 
     def table(self, place):
-        """The columns of any group: "trials/contact", "quantiles/type-b"; `overturn list columns FILE.h5` names all."""
+        """The columns of any group: "trials/contact", "quantiles/type-b/peak_slip"; `overturn list columns FILE.h5` names all."""
         self._require(place)
+        self._require_columns(place)
         return Table(self.file[place])
 
     def by_body(self, place):
-        """The same of a group that holds one for each body: "quantiles", "grid"."""
+        """The same of a group that holds one for each body: "isotonic", "grid"."""
         self._require(place)
+        bodies = [name for name, item in self.file[place].items() if isinstance(item, h5py.Group)]
+        if not bodies:
+            raise Error(f"{name_of(self.path)}: {place} holds no groups, but columns. Ask for table(\"{place}\")")
+        for body in bodies:
+            self._require_columns(f"{place}/{body}")
         return BodyTables(self.file[place])
 
     def _require(self, place):
         if place not in self.file or not isinstance(self.file[place], h5py.Group):
             raise Error(f"{name_of(self.path)}: holds no {place} (not asked for, or not of its format). "
                         "`overturn list columns` says what it holds")
+
+    def _require_columns(self, place):
+        """Some groups hold only further groups, as one for each response."""
+        below = tables_below(self.file[place])
+        if below and place not in below:
+            raise Error(f"{name_of(self.path)}: {place} holds no columns itself, but groups of them. Ask for table() of one: "
+                        f"{', '.join(below)}")
 
     @property
     def bodies(self):
@@ -268,6 +292,13 @@ class Results:
     def limits(self):
         """The campaign's own limit states by name: each with `stripes` and `curves`."""
         return {name: Limit(group) for name, group in self.file.get("limits", {}).items()}
+
+
+def tables_below(group):
+    """Where columns lie, in this group and in those below it."""
+    found = {}
+    group.visititems(lambda _, item: found.setdefault(item.parent.name[1:]) if isinstance(item, h5py.Dataset) else None)
+    return list(found)
 
 
 def name_of(path):
