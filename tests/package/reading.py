@@ -113,6 +113,19 @@ class Frames(unittest.TestCase):
         self.assertEqual((units["pga"], units["pgv"], units["v_wes_ratio"]), ("m/s2", "m/s", "1"))
         self.assertEqual(curves.attrs["units"]["median"].split("; ")[:2], ["m/s2", "m/s"])
 
+    def test_units_of_older_formats_have_the_name_of_today(self):
+        for version in (3, 4):
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                results = overturn.open(f"format-{version}.h5")
+            stored = results.file["fragility/block/measure_units"]
+            names = {number: name for name, number in h5py.check_enum_dtype(stored.dtype).items()}
+            units = [names[number] for number in stored[()]]
+            for made in (results.curves.to_pandas()["units"], results.curves.to_xarray()["units"].sel(body="block"),
+                         results.curves["block"].to_pandas(["measure_units"])["units"], results.curves["block"]["measure_units"].names):
+                self.assertEqual(list(np.asarray(made)), units)
+            self.assertNotIn("measure_units", list(results.curves["block"]))
+
     def test_limits_have_stripes_and_curves(self):
         limit = self.results.limits["slides"]
         self.assertIn("exceeded", limit.stripes["flat"])

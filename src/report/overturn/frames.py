@@ -1,13 +1,14 @@
 """Tables as pandas and xarray objects."""
 
 from .errors import Error, require
-from .results import ROW
+from .results import ROW, name_since
 
 
 def chosen(columns, names):
     """All of them, or those named, in that order."""
     if names is None:
         return columns
+    names = [name_since(name) for name in names]
     unknown = [name for name in names if name not in columns]
     if unknown:
         raise Error(f"no column {', '.join(unknown)} among the rows. There are: {', '.join(columns)}")

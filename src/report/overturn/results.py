@@ -15,6 +15,7 @@ import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
 OLDEST, NEWEST = 3, 5  # formats that this reader knows
+FORMER = {"measure_units": "units"}  # names in files of formats 3 and 4, and what they are called since
 ROW = "row"  # the axis of tables that name none
 # Of the file's bytes; where these are more than a stretch, of the digests of its stretches (src/store/seal.cpp).
 SEAL = re.compile(rb"\noverturn-seal sha256 (of the sha256 of every 64 MiB )?([0-9a-f]{64}) of ([0-9]{20}) bytes\n\Z")
@@ -30,13 +31,18 @@ def plain(value):
     return value.tolist() if isinstance(value, np.ndarray) else value
 
 
+def name_since(name):
+    """A column's name in files of the newest format."""
+    return FORMER.get(name, name)
+
+
 class Column:
     """One column. `units`, `meaning` and `categories` (names in the order of their numbers, empty of plain numbers) are
     read with it, `values` when they are asked for."""
 
     def __init__(self, data):
         self._data = data
-        self.name = data.name.rsplit("/", 1)[1]
+        self.name = name_since(data.name.rsplit("/", 1)[1])
         self.attrs = {key: plain(value) for key, value in data.attrs.items()
                       if key not in ("DIMENSION_LIST", "REFERENCE_LIST", "CLASS", "NAME")}
         # A column that another program added may say neither, nor along which axis it lies.
@@ -95,7 +101,7 @@ class Table(Mapping):
 
     def __init__(self, group, only=None):
         self.attrs = {key: plain(value) for key, value in group.attrs.items()}
-        self._columns = {name: Column(data) for name, data in group.items()
+        self._columns = {name_since(name): Column(data) for name, data in group.items()
                          if isinstance(data, h5py.Dataset) and (only is None or name in only)}
         self._share_rows()
         axes = [column.axes[0] for column in self._columns.values() if column.axes and column.axes[0]]
@@ -114,7 +120,7 @@ class Table(Mapping):
                 column.axes = (ROW,)
 
     def __getitem__(self, name):
-        return self._columns[name]
+        return self._columns[name_since(name)]
 
     def __iter__(self):
         return iter(self._columns)
