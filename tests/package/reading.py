@@ -156,6 +156,7 @@ class Groups(unittest.TestCase):
                 np.testing.assert_array_equal(data[name].values, kept, group)
                 self.assertEqual(frame.attrs["units"][name], column.units)
                 self.assertEqual(data[name].attrs["units"], column.units)
+                self.assertEqual(data[name].attrs["description"], column.meaning)
 
     def test_all_make_frames_and_datasets(self):
         self.all_make_frames_and_datasets("campaign.h5", {
@@ -167,6 +168,7 @@ class Groups(unittest.TestCase):
         results = overturn.open("campaign.h5")
         table = results.by_body("isotonic")["flat"]
         self.assertEqual((table.axis, table["to"].axes), ("row", ("row",)))
+        self.assertEqual(results.table("digests").axis, "objects")  # alone, it names them
         shared = results.by_body("isotonic")
         frame, data = shared.to_pandas(), shared.to_xarray()
         self.assertEqual(data["to"].dims, ("body", "row"))
@@ -194,6 +196,14 @@ class Groups(unittest.TestCase):
         with self.assertRaisesRegex(overturn.Error, r'limit_states holds no groups, but columns. Ask for table\("limit_states"\)'):
             results.by_body("limit_states")
         self.assertEqual(list(results.by_body("quantiles/wide one")), ["peak_rotation_ratio", "peak_slip"])
+
+    def test_without_anything_are_empty(self):
+        shutil.copy("campaign.h5", "empty.h5")
+        with h5py.File("empty.h5", "r+") as file:
+            file.create_group("of_none/flat")
+        results = overturn.open("empty.h5", unverified=True)
+        self.assertEqual(len(results.table("of_none/flat")), 0)
+        self.assertEqual(len(results.by_body("of_none")["flat"]), 0)
 
 
 class Datasets(unittest.TestCase):
