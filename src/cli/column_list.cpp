@@ -32,9 +32,7 @@ std::string generic(std::string const& group, std::vector<std::string> const& bo
         auto part = group.substr(begin, end - begin);
         auto const before = parts.empty() ? "" : parts.back();
         bool const of_body = before == "<body>";
-        if (before == "inputs") {
-            part = "<n>";
-        } else if (before == "limits" || before == "pairs" || before == "together") {
+        if (before == "limits" || before == "pairs" || before == "together") {
             part = "<limit>";
         } else if (of_body && parts.front() == "quantiles") {
             part = "<quantity>";
@@ -54,6 +52,16 @@ bool is_row(std::string_view group) {
     return group == "trials" || group.starts_with("trials/") || group == "waves" || group.starts_with("waves/");
 }
 
+// A column as its group's list has it; files of inputs are numbered, and say their names.
+store::ColumnMeaning listed(store::ColumnMeaning column, std::string_view group) {
+    column.path.erase(0, column.path.rfind('/') + 1);
+    if (group == "inputs") {
+        column.path = "<n>";
+        column.description = "text of an input file; its attribute description is the file's name";
+    }
+    return column;
+}
+
 std::string unit_of(store::ColumnMeaning const& column) {
     return column.units.empty() || column.units == "1" ? "" : "[" + column.units + "]";
 }
@@ -70,8 +78,7 @@ void add_groups(store::ResultsReader const& file, std::vector<std::string> const
         if (group == groups.end()) {
             group = groups.insert(groups.end(), {name, {}, {}});
         }
-        auto own = column;
-        own.path = column.path.substr(slash + 1);
+        auto own = listed(column, name);
         if (is_row(name) ? std::ranges::find(unknown, column.path) != unknown.end()
                          : !store::is_known_column(name, own.path)) {
             group->unknown.push_back(own.path);

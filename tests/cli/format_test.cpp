@@ -176,6 +176,18 @@ TEST_F(Format, ThePageOfColumnsIsTheFilesOwn) {
     }
 }
 
+TEST_F(Format, InputFilesAreListedHoweverMany) {
+    auto const ran =
+        overturn(folder, {"run", OVERTURN_CAMPAIGNS "/quickstart.toml", "--set", "waves.count=1", "-o", "two.h5"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    ASSERT_EQ(store::ResultsReader(folder / "two.h5").members("inputs").size(), 2U);
+    auto const listed = overturn(folder, {"list", "columns", "two.h5"}).out;
+    EXPECT_NE(listed.find("/inputs\n  <n>  text of an input file; its attribute description is the file's name\n/"),
+              std::string::npos)
+        << listed;
+    EXPECT_EQ(listed.find("unknown to this program"), std::string::npos) << listed;
+}
+
 /// A file of each version that this program reads, as it was written when the version was new.
 TEST_F(Format, FilesStayReadable) {
     for (std::string const version : {"3", "4", "5"}) {
