@@ -41,7 +41,7 @@ bool with_period(MeasureSpec const& spec, std::size_t period) { return period < 
 
 namespace {
 
-// Every number once, from 0 on; a value from one place; levels only by what is linear in the scale.
+// Every number once, from 0 on, and every name; a value from one place; levels only by what is linear in the scale.
 consteval bool is_sound() {
     for (std::size_t number = 0; number < intensity_measures.size(); ++number) {
         if (std::ranges::count(intensity_measures, static_cast<std::int64_t>(number), &IntensityMeasure::number) != 1) {
@@ -50,7 +50,8 @@ consteval bool is_sound() {
     }
     return std::ranges::all_of(intensity_measures, [](IntensityMeasure const& entry) {
         int const sources = (entry.of_wave ? 1 : 0) + (entry.of_trial ? 1 : 0) + (entry.of_motion ? 1 : 0);
-        return sources == 1 && (entry.level.empty() || is_linear(&entry))
+        return sources == 1 && std::ranges::count(intensity_measures, entry.name, &IntensityMeasure::name) == 1
+               && (entry.level.empty() || is_linear(&entry))
                && (entry.curves == Curves::measured) == entry.measured.has_value();
     });
 }
@@ -67,14 +68,6 @@ std::size_t place_among(Measure measure, bool (IntensityMeasure::*has)() const) 
 std::string IntensityMeasure::units() const {
     auto const symbol = si_symbol(dimension);
     return symbol.empty() ? "1" : std::string(symbol);
-}
-
-std::vector<std::string> fragility_measure_names() {
-    std::vector<std::string> names(intensity_measures.size());
-    for (auto const& entry : intensity_measures) {
-        names.at(entry.number) = entry.name;
-    }
-    return names;
 }
 
 std::vector<std::pair<Measure, double>> measures_of(GroundMotion const& motion) {

@@ -271,9 +271,6 @@ inline constexpr std::array intensity_measures{
     return measure->other_unit_of.empty() ? measure : measure_named(measure->other_unit_of);
 }
 
-/// The names in the order of their numbers in files.
-[[nodiscard]] std::vector<std::string> fragility_measure_names();
-
 /// Number of measures with a column in /waves, and in /trials.
 inline constexpr auto wave_measures =
     static_cast<std::size_t>(std::ranges::count_if(intensity_measures, &IntensityMeasure::has_wave_column));

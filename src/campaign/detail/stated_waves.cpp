@@ -35,7 +35,6 @@ bool states(CampaignSpec const& spec, std::string_view begin) {
 }
 
 bool may_shake_across(CampaignSpec const& spec) { return has_component(spec, transverse, Of::any); }
-bool may_shake_vertically(CampaignSpec const& spec) { return has_component(spec, vertical, Of::any); }
 bool always_shakes_across(CampaignSpec const& spec) { return has_component(spec, transverse, Of::all); }
 bool always_shakes_vertically(CampaignSpec const& spec) { return has_component(spec, vertical, Of::all); }
 

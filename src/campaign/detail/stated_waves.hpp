@@ -10,10 +10,9 @@ namespace overturn {
 /// Is a key that begins so stated, and not by default?
 [[nodiscard]] bool states(CampaignSpec const& spec, std::string_view begin);
 
-/// Has any wave a second horizontal component, or a vertical one? Of recorded motions those that were read say so.
+/// Has any wave a second horizontal component? Of recorded motions those that were read say so.
 [[nodiscard]] bool may_shake_across(CampaignSpec const& spec);
-[[nodiscard]] bool may_shake_vertically(CampaignSpec const& spec);
-/// Have all waves one?
+/// Have all waves one, or a vertical one?
 [[nodiscard]] bool always_shakes_across(CampaignSpec const& spec);
 [[nodiscard]] bool always_shakes_vertically(CampaignSpec const& spec);
 
