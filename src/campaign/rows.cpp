@@ -20,6 +20,12 @@ void add_each(Fields& fields, std::string const& name, std::string const& units,
     }
 }
 
+// A column of a measure, whose unit and meaning are those of the registry.
+template <auto Member> Field column_of(std::string_view name, std::string_view of = "") {
+    auto const* const measure = measure_named(name);
+    return field<Member>(std::string(name), measure->units(), fmt::format("{}{}", measure->meaning, of));
+}
+
 // One field per measure that has a column, under the measure's name.
 template <auto Member> void add_measures(Fields& fields, bool (IntensityMeasure::*has)() const, std::string_view of) {
     std::size_t place = 0;
@@ -66,15 +72,14 @@ Fields fields_of_waves() {
         field<&W::id>("id", "1", "identity of the wave in every random stream").always(),
         field<&W::failed>("failed", "1", "1: the wave could not be made").always(),
         field<&W::duration_s>("duration", "s", "time from the first to the last sample"),
-        field<&W::pga_mps2>("pga", "m/s2", "peak horizontal acceleration"),
-        field<&W::pgv_mps>("pgv", "m/s", "peak horizontal velocity"),
-        field<&W::pgd_m>("pgd", "m", "peak horizontal displacement"),
+        column_of<&W::pga_mps2>("pga"),
+        column_of<&W::pgv_mps>("pgv"),
+        column_of<&W::pgd_m>("pgd"),
         field<&W::arias_mps>("arias", "m/s", "Arias intensity of the horizontal component"),
         field<&W::transverse_pga_mps2>("transverse_pga", "m/s2",
                                        "peak acceleration of the other horizontal component; 0: none"),
         field<&W::vertical_pga_mps2>("vertical_pga", "m/s2", "peak vertical acceleration; 0: none"),
-        field<&W::vector_pga_mps2>("vector_pga", "m/s2",
-                                   "peak length of the horizontal acceleration, of both together"),
+        column_of<&W::vector_pga_mps2>("vector_pga"),
         field<&W::matched>("matched", "1", "1: matched to a target spectrum"),
         field<&W::match_iterations>("match_iterations", "1", "iterations of the match"),
         field<&W::match_mean_misfit>("match_mean_misfit", "1", "mean |computed / target - 1|"),
@@ -130,8 +135,7 @@ Fields fields_of_waves() {
                                      "those of them that the vertical component's spectrum does not meet"),
         field<&W::target>("target", "1", "number of the drawn target; several waves may share it"),
         field<&W::event>("event", "1", "number of the event whose between-event term the wave's target uses"),
-        field<&W::sa_average_mps2>("sa_average", "m/s2",
-                                   "geometric mean of the pseudo-acceleration spectrum over measures.sa_band")};
+        column_of<&W::sa_average_mps2>("sa_average")};
     add_match<&W::transverse_match>(fields, "transverse");
     add_match<&W::vertical_match>(fields, "vertical");
     add_each<&W::epsilon>(fields, "epsilon", "1",
@@ -161,17 +165,15 @@ template <> Fields const& fields_of<WaveRow>() {
 template <> Fields const& fields_of<MeasureRow>() {
     using M = MeasureRow;
     static Fields const fields{
-        field<&M::ou_v_e_mps>("ou_v_e", "m/s", "Akiyama's ouV_E of the unscaled wave"),
-        field<&M::v_wes_max_mps>("v_wes", "m/s", "max over time of the unscaled wave's window energy spectrum"),
+        column_of<&M::ou_v_e_mps>("ou_v_e", ", of the unscaled wave"),
+        column_of<&M::v_wes_max_mps>("v_wes", ", of the unscaled wave"),
         field<&M::v_wes_time_s>("v_wes_time", "s", "time of this maximum"),
         field<&M::band_mean_misfit>("band_mean_misfit", "1", "mean |computed / target - 1| over [T0, T1] of the body"),
         field<&M::band_max_misfit>("band_max_misfit", "1", "max of it over [T0, T1]"),
         field<&M::band_mean_ratio>("band_mean_ratio", "1", "mean of computed / target over [T0, T1]"),
         field<&M::band_ratio_cov>("band_ratio_cov", "1", "coefficient of variation of computed / target over [T0, T1]"),
-        field<&M::other_unit_ou_v_e_mps>("ou_v_e_other_unit", "m/s",
-                                         "ouV_E with R in the unit that measures.radius_unit does not name"),
-        field<&M::other_unit_v_wes_max_mps>("v_wes_other_unit", "m/s",
-                                            "V_WES with R in the unit that measures.radius_unit does not name")};
+        column_of<&M::other_unit_ou_v_e_mps>("ou_v_e_other_unit"),
+        column_of<&M::other_unit_v_wes_max_mps>("v_wes_other_unit")};
     return fields;
 }
 
@@ -192,8 +194,8 @@ template <> Fields const& fields_of<TrialRow>() {
                                        "static coefficient as drawn for the wave; NaN: no slip"),
             field<&T::kinetic_friction>("kinetic_friction", "1",
                                         "kinetic coefficient as drawn for the wave; NaN: no slip"),
-            field<&T::v_wes_mps>("v_wes", "m/s", "max over time of the window energy spectrum at this level"),
-            field<&T::ou_v_e_mps>("ou_v_e", "m/s", "Akiyama's ouV_E at this level"),
+            column_of<&T::v_wes_mps>("v_wes", ", at this level"),
+            column_of<&T::ou_v_e_mps>("ou_v_e", ", at this level"),
             field<&T::v_ereq_mps>("v_ereq", "m/s", "limit velocity sqrt(2 g (R - h)) of the body"),
             field<&T::v_wes_safe>("v_wes_safe", "1", "1: predicted safe, V_WES < V_Ereq").if_absent(unknown_category),
             field<&T::ou_v_e_safe>("ou_v_e_safe", "1", "1: predicted safe, ouV_E < V_Ereq").if_absent(unknown_category),

@@ -73,6 +73,26 @@ TEST(IntensityMeasures, HaveUnitsOfTheirOwnAndOnlySaHasAPeriod) {
     }
 }
 
+// Columns of measures say what their entries say. "level" is the number of one; those of Sa leave the period to the
+// campaign.
+TEST(IntensityMeasures, HaveColumnsOfTheirUnitAndMeaning) {
+    std::set<std::string> checked;
+    for (auto const* const fields : {&fields_of<WaveRow>(), &fields_of<MeasureRow>(), &fields_of<TrialRow>()}) {
+        for (auto const& field : *fields) {
+            auto const* const measure = std::ranges::find(intensity_measures, field.name, &IntensityMeasure::name);
+            if (measure != intensity_measures.end() && field.name != "level" && !measure->period) {
+                EXPECT_EQ(field.units, measure->units()) << field.name;
+                EXPECT_TRUE(field.description.starts_with(measure->meaning)) << field.name << ": " << field.description;
+                checked.insert(field.name);
+            }
+        }
+    }
+    for (auto const* const name : {"pga", "pgv", "pgd", "vector_pga", "sa_average", "v_wes", "ou_v_e",
+                                   "v_wes_other_unit", "ou_v_e_other_unit", "cav", "standardised_cav"}) {
+        EXPECT_TRUE(checked.contains(name)) << name;
+    }
+}
+
 // Each entry reads its own column.
 TEST(IntensityMeasures, AreTakenOfTheirOwnColumns) {
     WaveRow wave;
