@@ -39,7 +39,7 @@ std::vector<std::int64_t> waves_of(Plan const& plan, std::span<std::int64_t cons
 
 // The first `count` of the rows, which are then no more among them.
 template <class Row> std::vector<Row> next_of(std::span<Row const>& rows, std::int64_t count) {
-    auto const taken = rows.first(static_cast<std::size_t>(count));
+    auto const taken = rows.first(count);
     rows = rows.subspan(taken.size());
     return {taken.begin(), taken.end()};
 }

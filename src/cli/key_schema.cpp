@@ -212,7 +212,7 @@ void write_lines(Json const& value, int depth, std::string& text) {
         text += value.dump();
         return;
     }
-    std::string const indent(static_cast<std::size_t>(depth) + 1, ' ');
+    std::string const indent(depth + 1, ' ');
     std::string_view before = "{\n";
     for (auto const& [name, inner] : value.items()) {
         text += fmt::format("{}{}{}: ", before, indent, Json(name).dump());

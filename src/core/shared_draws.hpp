@@ -16,9 +16,7 @@ struct SharedDraws {
     std::int64_t most = 1;              ///< so many waves at most share one; 1: all are independent
     std::vector<std::int64_t> of = {};  ///< number of the draw of each wave; empty: `most` in a row share one
 
-    [[nodiscard]] std::int64_t operator()(std::int64_t wave) const {
-        return of.empty() ? wave / most : of[static_cast<std::size_t>(wave)];
-    }
+    [[nodiscard]] std::int64_t operator()(std::int64_t wave) const { return of.empty() ? wave / most : of[wave]; }
     /// So many waves count as one in intervals: the design effect of clusters that end alike (Kish 1965).
     [[nodiscard]] double effect() const {
         std::map<std::int64_t, double> waves;

@@ -52,7 +52,7 @@ class SeedReader {
         for (std::size_t at = 0; at < bytes_.size();) {
             ++number_;
             auto const record = record_at(at);
-            at += static_cast<std::size_t>(record->reclen);
+            at += record->reclen;
             if (record->samplecnt > 0) {
                 take(*record);
             }

@@ -32,8 +32,7 @@ std::string basis_text(Answered const& of, std::size_t body, std::size_t limit) 
     if (basis == levels.end()) {
         return {};
     }
-    auto const& stripe =
-        of.statistics.bodies()[body].stripes_of(limit)[static_cast<std::size_t>(basis - levels.begin())];
+    auto const& stripe = of.statistics.bodies()[body].stripes_of(limit)[basis - levels.begin()];
     if (!no_probability_text(of).empty()) {
         return fmt::format("at the design basis ({}) {} of {} {}", of.spec.levels.text(basis->value), stripe.overturned,
                            stripe.trials, limit == 0 ? "overturned" : "exceeded it");

@@ -49,8 +49,8 @@ class Workforce {
             work(first, rows);
             std::memcpy(out.data(), rows.data(), out.size());
         });
-        OVERTURN_ENSURE(bytes.size() == static_cast<std::size_t>(stage.items) * sizeof(Row));
-        std::vector<Row> rows(static_cast<std::size_t>(stage.items));
+        OVERTURN_ENSURE(bytes.size() == stage.items * sizeof(Row));
+        std::vector<Row> rows(stage.items);
         std::memcpy(rows.data(), bytes.data(), bytes.size());
         return rows;
     }

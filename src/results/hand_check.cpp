@@ -143,7 +143,7 @@ void compare(std::span<HandCheck> checks, Statistics const& statistics, std::spa
         if (body == analysis.end()) {
             continue;
         }
-        auto const& stripes = statistics.bodies()[static_cast<std::size_t>(body - analysis.begin())].stripes;
+        auto const& stripes = statistics.bodies()[body - analysis.begin()].stripes;
         auto const half = std::ranges::find_if(stripes, [](Stripe const& stripe) {
             return stripe.decided() > 0 && 2 * stripe.overturned >= stripe.decided();
         });

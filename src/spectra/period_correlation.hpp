@@ -46,7 +46,7 @@ class CorrelatedNormals {
     /// (rounding and tables between which values are straight make small ones, which are taken for zero)
     CorrelatedNormals(std::vector<double> const& periods_s, PeriodCorrelation const& correlation);
 
-    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(root_.rows()); }
+    [[nodiscard]] std::size_t size() const { return root_.rows(); }
     /// \param normals as many as periods
     [[nodiscard]] std::vector<double> operator()(std::vector<double> const& normals) const;
 

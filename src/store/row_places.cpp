@@ -55,7 +55,7 @@ RowPlaces RowPlaces::deserialise(std::string const& text) {
         in.get();  // the end of the last line
     }
     OVERTURN_ENSURE(!in.fail());
-    places.file = text.substr(static_cast<std::size_t>(in.tellg()));
+    places.file = text.substr(in.tellg());
     return places;
 }
 

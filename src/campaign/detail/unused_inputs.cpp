@@ -25,7 +25,7 @@ std::optional<BodyKey> body_key(std::string_view key) {
     }
     BodyKey found;
     auto const [end, error] = std::from_chars(key.data() + begin.size(), key.data() + key.size(), found.body);
-    found.key = key.substr(static_cast<std::size_t>(end - key.data()));
+    found.key = key.substr(end - key.data());
     constexpr std::string_view close = "].";
     if (error != std::errc() || !found.key.starts_with(close)) {
         return std::nullopt;

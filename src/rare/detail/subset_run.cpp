@@ -49,7 +49,7 @@ void SubsetRun::close_level() {
     std::stable_sort(samples_.begin(), samples_.end(), [&](auto a, auto b) {
         return std::pair(node(a).failed, node(a).driver) > std::pair(node(b).failed, node(b).driver);
     });
-    auto const in = samples_[static_cast<std::size_t>(n_c) - 1];
+    auto const in = samples_[n_c - 1];
     auto const out = samples_[n_c];
     // A chain that stood still has one state twice; two states that answer the same are a plateau.
     if (in != out && node(in).driver == node(out).driver) {

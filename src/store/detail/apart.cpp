@@ -37,7 +37,7 @@ namespace {
         if (written <= 0) {
             ::_exit(1);
         }
-        at += static_cast<std::size_t>(written);
+        at += written;
     }
     ::_exit(0);
 }
