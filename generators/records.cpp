@@ -15,8 +15,8 @@
 #include "generators/detail/recorded_waves.hpp"
 #include "generators/detail/sa_change.hpp"
 #include "generators/record_baseline.hpp"
-#include "motion/component_pairs.hpp"
 #include "motion/intensity.hpp"
+#include "motion/named_recordings.hpp"
 #include "motion/resample.hpp"
 #include "motion/station.hpp"
 #include "motion/usual_time_step.hpp"
@@ -273,11 +273,9 @@ void tell_apart(std::vector<Record>& records, std::span<std::string const> paths
             places.push_back(i);
         }
     }
-    for (auto const& [first, second] : component_pairs(names)) {
-        for (auto const place : places) {
-            auto& recording = records[place].recording;
-            recording = recording == names[second] ? names[first] : recording;
-        }
+    auto const first = named_recordings(names);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        records[places[i]].recording = names[first[i]];
     }
 }
 

@@ -16,7 +16,7 @@
 #include "core/units.hpp"
 #include "motion/cell_rows.hpp"
 #include "motion/column_role.hpp"
-#include "motion/component_pairs.hpp"
+#include "motion/named_recordings.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn::cli {
@@ -104,16 +104,11 @@ class Reader {
 
     /// Trials of one recording share what was shaken, at their level too.
     void count_waves() {
-        std::map<std::int64_t, std::int64_t> first;
-        for (auto const& [one, other] : component_pairs(wave_names_)) {
-            first[static_cast<std::int64_t>(other)] = static_cast<std::int64_t>(one);
-        }
+        auto const first = named_recordings(wave_names_);
         std::map<double, std::vector<std::int64_t>> at_level;
         std::set<std::int64_t> different;
         for (auto& trial : trials_) {
-            if (auto const pair = first.find(trial.wave); pair != first.end()) {
-                trial.wave = pair->second;
-            }
+            trial.wave = static_cast<std::int64_t>(first[static_cast<std::size_t>(trial.wave)]);
             at_level[trial.intensity].push_back(trial.wave);
             different.insert(trial.wave);
         }

@@ -85,6 +85,8 @@ TEST_F(TrialsColumn, TrialsOfOneWaveAreJudgedTogether) {
     auto const by_direction = [](int wave) { return fmt::format("st{}_{}", wave / 2, wave % 2 == 0 ? "NS" : "EW"); };
     EXPECT_EQ(curve(of_shared_waves("record,pga [g],fell\n", by_direction))["state"], "few-waves")
         << "eight components of four recordings";
+    auto const by_axis = [](int wave) { return fmt::format("st{}_{}", wave / 3, "xyz"[wave % 3]); };
+    EXPECT_EQ(curve(of_shared_waves("record,pga [g],fell\n", by_axis, 24))["waves"], 8);
     auto const halves = json::parse(fit(of_shared_waves("record,pga [g],fell\n", by_direction, 16)).out);
     EXPECT_EQ(halves["fragility"][0]["waves"], 8);
     auto const& stripe = halves["stripes"][2];

@@ -73,6 +73,39 @@ TEST(Records, ComponentsOfOneRecordingAreNoTwoSamples) {
                             {"kobe_NS_1.csv", "kobe_EW_1.csv", "kobe_NS_2.csv"}}) {
         EXPECT_EQ(named(two).shared.of, (Numbers{0, 0, 1})) << *two.begin();
     }
+    // Three directions, small letters, a number or a word behind, numbers of components.
+    for (auto const& names : {Names{"q_x.csv", "q_y.csv", "q_z.csv"},
+                              {"q_NS.csv", "q_EW.csv", "q_UD.csv"},
+                              {"q_000.csv", "q_090.csv", "q_UP.csv"},
+                              {"q_000.csv", "q_045.csv", "q_090.csv"},
+                              {"q_EW.csv", "q_UD.csv"},
+                              {"q_x.csv", "q_z.csv"},
+                              {"q_N.csv", "q_E.csv", "q_Z.csv"},
+                              {"q1x.csv", "q1y.csv", "q1z.csv"},
+                              {"q_ns.csv", "q_ew.csv"},
+                              {"q1ns.csv", "q1ew.csv", "q1ud.csv"},
+                              {"NS.csv", "EW.csv", "UD.csv"},
+                              {"q.NS1", "q.EW1", "q.UD1", "q.NS2", "q.EW2", "q.UD2"},
+                              {"q.NS1", "q.EW1", "q.NS2"},
+                              {"q_NS_acc.csv", "q_EW_acc.csv"},
+                              {"q_NS_rock.csv", "q_EW_rock.csv"},
+                              {"NS_rock.csv", "EW_rock.csv"},
+                              {"q_000_filt.csv", "q_090_filt.csv"},
+                              {"q_000_rock.csv", "q_090_rock.csv"},
+                              {"q_x_acc.csv", "q_y_acc.csv", "q_z_acc.csv"},
+                              {"q1NS_acc.csv", "q1EW_acc.csv"},
+                              {"q_North_corr.csv", "q_East_corr.csv"},
+                              {"q comp 1.csv", "q comp 2.csv"},
+                              {"q_Component_1.csv", "q_Component_2.csv"},
+                              {"q Horizontal 1.csv", "q Horizontal 2.csv"},
+                              {"q_dir1.csv", "q_dir2.csv"},
+                              {"q_ch1.csv", "q_ch2.csv", "q_ch3.csv"},
+                              {"q_Rad.csv", "q_Trn.csv"}}) {
+        EXPECT_EQ(named(names).shared.of, Numbers(names.size(), 0)) << *names.begin();
+    }
+    EXPECT_EQ(named({"q_NS1.csv", "q_EW1.csv", "q_NS2.csv", "q_EW2.csv"}).shared.of, (Numbers{0, 0, 1, 1}));
+    EXPECT_EQ(named({"a_x.csv", "b_x.csv", "a_y.csv", "b_z.csv", "a_z.csv", "b_y.csv"}).shared.of,
+              (Numbers{0, 1, 0, 1, 0, 1}));
     // Numbers count motions, letters are names, a word amid others says what it is of, and east is no pair of west.
     for (auto const& names : {Names{"m-1.csv", "m-2.csv"},
                               {"x.csv", "y.csv"},
@@ -84,6 +117,20 @@ TEST(Records, ComponentsOfOneRecordingAreNoTwoSamples) {
                               {"San.csv", "San_E.csv", "San_N.csv", "San_S.csv", "San_W.csv"},
                               {"wave.csv", "wave_h.csv"},
                               {"d_H1_run1.csv", "d_H2_run1.csv"},
+                              {"event_L.csv", "event_N.csv", "event_Z.csv"},
+                              {"event_E.csv", "event_N.csv", "event_S.csv"},
+                              {"event_D.csv", "event_E.csv", "event_N.csv"},
+                              {"event_N.csv", "event_U.csv"},
+                              {"q_010.csv", "q_050.csv", "q_100.csv"},
+                              {"q_000.csv", "q_045.csv", "q_090.csv", "q_135.csv"},
+                              {"q_x.csv", "q_y.csv", "q_z.csv", "q_v.csv"},
+                              {"x.csv", "y.csv", "z.csv"},
+                              {"q.NS1", "q.NS2"},
+                              {"comp 1.csv", "comp 2.csv"},
+                              {"q_ch1.csv", "q_ch2.csv", "q_ch4.csv"},
+                              {"run_North_Bohemia.csv", "run_East_Bohemia.csv"},
+                              {"q_x_rock.csv", "q_y_rock.csv"},
+                              {"q_H1_rock.csv", "q_H2_rock.csv"},
                               {"East_Bohemia_2008.csv", "West_Bohemia_2008.csv"}}) {
         auto const different = named(names);
         EXPECT_EQ(different.shared.most, 1) << *names.begin();
