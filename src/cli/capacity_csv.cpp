@@ -11,6 +11,7 @@
 #include "core/units.hpp"
 #include "motion/cell_rows.hpp"
 #include "motion/column_role.hpp"
+#include "motion/named_recordings.hpp"
 #include "motion/text_lines.hpp"
 
 namespace overturn::cli {
@@ -33,7 +34,9 @@ class CapacityReader {
         read_header(rows_.header());
         while (auto const cells = rows_.next()) {
             table_.capacities.push_back(row_of(*cells));
+            take_name(*cells);
         }
+        check_recordings();
         if (table_.capacities.empty()) {
             rows_.fail("no capacity (a header alone). Add rows");
         }
@@ -50,7 +53,11 @@ class CapacityReader {
             auto const column = named_column(cells[c].text);
             auto const bare = lowered(column.bare);
             bool const verdict = is_among(verdict_names, bare);
-            if (is_among(row_labels, counted_things(bare)) || column_role(cells[c].text).quantity == Quantity::index) {
+            bool const is_label = is_among(row_labels, counted_things(bare));
+            if (is_label && (!waves_ || lowered(named_column(cells[*waves_].text).bare) == "name")) {
+                waves_ = c;  // a name may be that of an earthquake; a record's tells more
+            }
+            if (is_label || column_role(cells[c].text).quantity == Quantity::index) {
                 continue;
             }
             if (!verdict && !column.is_intensity()) {
@@ -71,6 +78,29 @@ class CapacityReader {
         }
         if (!intensity_) {
             rows_.fail(cells.back(), "no column of intensities (the fit needs it). Call it for example 'pga [g]'");
+        }
+    }
+
+    void take_name(std::vector<Cell> const& cells) {
+        if (waves_ && !cells[*waves_].text.empty()) {
+            names_.emplace_back(cells[*waves_].text);
+            places_.push_back({file_, rows_.line(), cells[*waves_].column});
+        }
+    }
+
+    /// The fit counts each row as a sample of its own.
+    void check_recordings() const {
+        auto const first = named_recordings(names_);
+        for (std::size_t i = 0; i < first.size(); ++i) {
+            if (auto const other = first[i]; other != i) {
+                throw InputError(
+                    places_[i],
+                    fmt::format("{} beside {} in line {} ({}). Keep one row of them, or give different waves "
+                                "different names",
+                                in_quotes(names_[i]), in_quotes(names_[other]), places_[other].line,
+                                names_[i] == names_[other] ? "one wave twice, no independent samples"
+                                                           : "components of one recording, no independent samples"));
+            }
         }
     }
 
@@ -116,6 +146,9 @@ class CapacityReader {
     CellRows rows_;
     std::string const& file_;
     std::optional<std::size_t> intensity_, verdict_;
+    std::optional<std::size_t> waves_;  ///< column of their names
+    std::vector<std::string> names_;    ///< of rows that have one
+    std::vector<Location> places_;
     CapacityTable table_;
 };
 

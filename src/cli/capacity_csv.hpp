@@ -16,8 +16,9 @@ struct CapacityTable {
 };
 
 /// A header with one column of intensities ("pga [g]", "IM", "capacity [g]") and, if wanted, one that says whether the
-/// body fell there (`collapsed`: 1 or 0, yes or no); ">1.3" is short for "stood up to 1.3". A column `record` does not
-/// count. \param file for messages \throws InputError naming line and column
+/// body fell there (`collapsed`: 1 or 0, yes or no); ">1.3" is short for "stood up to 1.3". A column `record`
+/// names the waves. \param file for messages \throws InputError naming line and column, also of two rows of one
+/// recording
 [[nodiscard]] CapacityTable parse_capacities(std::string const& text, std::string const& file);
 
 }  // namespace overturn::cli

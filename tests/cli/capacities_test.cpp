@@ -119,5 +119,20 @@ TEST_F(Capacities, WhatCannotBeReadIsRefusedWhereItStands) {
     refuse("pga [g]\n", "no capacity");
 }
 
+// each row counts as a sample, which two components of one recording are not.
+TEST_F(Capacities, TwoRowsOfOneRecordingAreRefused) {
+    refuse("record,pga [g]\nA,0.7\nq_NS,0.8\nB,1.1\nq_EW,0.9\n",
+           "c.csv:5:1: 'q_EW' beside 'q_NS' in line 3 (components of one recording");
+    refuse("pga [g],wave\n0.7,A\n0.8,B\n0.9,A\n", "c.csv:4:5: 'A' beside 'A' in line 2 (one wave twice");
+    refuse("name,record,pga [g]\nKobe,a,0.7\nKobe,a,0.8\n", "'a' beside 'a'");
+    refuse("record,name,pga [g]\na,Kobe,0.7\na,Tokachi,0.8\n", "'a' beside 'a'");
+    for (char const* text : {"name,record,pga [g]\nKobe,a,0.7\nKobe,b,0.8\n",
+                             "record,name,pga [g]\na,Kobe,0.7\nb,Kobe,0.8\n", "pga [g],record\n0.7,\n0.8,\n"}) {
+        folder.write("c.csv", text);
+        auto const ended = overturn(folder, {"fit", "--capacities", "c.csv"});
+        EXPECT_EQ(ended.code, 0) << text << ended.err;
+    }
+}
+
 }  // namespace
 }  // namespace overturn::testing
