@@ -44,13 +44,6 @@ constexpr auto aliases = std::to_array<Alias>({{"trial", trials},
                                                {"overturnedcount", overturned},
                                                {"countofcollapse", overturned},
                                                {"failed", failed}});
-/// "wave", "record", "GM": the name of one, where "waves" and "n_gms" are a number of them.
-bool may_name_trials(std::string_view cell) {
-    auto const lower = lowered(trimmed(named_column(cell).bare));
-    constexpr auto singular = std::to_array<std::string_view>(
-        {"trial", "gm", "ground motion", "ground_motion", "motion", "record", "wave", "analysis", "test"});
-    return std::ranges::find(singular, lower) != singular.end();
-}
 
 class TrialsColumn {
   public:
@@ -115,6 +108,13 @@ class TrialsColumn {
 };
 
 }  // namespace
+
+bool may_name_trials(std::string_view cell) {
+    auto const lower = lowered(trimmed(named_column(cell).bare));
+    constexpr auto singular = std::to_array<std::string_view>(
+        {"trial", "gm", "ground motion", "ground_motion", "motion", "record", "wave", "analysis", "test"});
+    return std::ranges::find(singular, lower) != singular.end();
+}
 
 std::optional<StripeField> stripe_field_of(NamedColumn const& column) {
     if (column.is_intensity()) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "cli/named_column.hpp"
 
@@ -15,6 +16,9 @@ inline constexpr std::size_t stripe_fields = 4;
 
 /// The field that a column's name is a word for.
 [[nodiscard]] std::optional<StripeField> stripe_field_of(NamedColumn const& column);
+
+/// "wave", "record", "GM": the name of one, where "waves" and "n_gms" are a number of them.
+[[nodiscard]] bool may_name_trials(std::string_view cell);
 
 /// Content of a column that is named as trials.
 enum class TrialsHeld : std::uint8_t { counts, labels, either };

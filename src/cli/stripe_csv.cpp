@@ -71,6 +71,9 @@ class Reader {
             check_counter(cells[place]);
         }
         ++rows_read_;
+        if (ones_) {
+            check_is_one(cells[*ones_]);
+        }
         if (verdict_) {
             add_trial(positive(cells[*place_of(amplitude)]), fell(cells[*verdict_]), cells);
             return;
@@ -118,6 +121,31 @@ class Reader {
         }
     }
 
+    /// A row with a wave's name is one trial.
+    void check_is_one(Cell const& cell) const {
+        if (value(cell) != 1) {
+            rows_.fail(cell,
+                       fmt::format("{} trials of a named wave (which of them fell?). Write each trial in a row of "
+                                   "its own, or leave the column {} out",
+                                   in_quotes(cell.text), in_quotes(wave_column_)));
+        }
+    }
+
+    /// "wave" beside "trials": each row is the one trial of the wave it names.
+    void find_names_beside_counts(std::vector<Cell> const& cells) {
+        std::vector<std::size_t> named;
+        std::vector<std::size_t> counted;
+        for (std::size_t place = 0; place < cells.size(); ++place) {
+            if (stripe_field_of(named_column(cells[place].text)) == trials) {
+                (may_name_trials(cells[place].text) ? named : counted).push_back(place);
+            }
+        }
+        if (named.size() == 1 && counted.size() == 1) {
+            ones_ = counted.front();
+            trials_held_ = TrialsHeld::labels;
+        }
+    }
+
     /// 0, 1, 2, ... or 1, 2, 3, ...
     void check_counter(Cell const& cell) const {
         double const row = value(cell);
@@ -135,6 +163,7 @@ class Reader {
                                                   "amplitude,trials,overturned",
                                                   in_quotes(cells.front().text)));
         }
+        find_names_beside_counts(cells);
         bool const counts = trials_held_ == TrialsHeld::counts && std::ranges::any_of(cells, [](Cell const& cell) {
                                 return stripe_field_of(named_column(cell.text)) == trials;
                             });
@@ -142,6 +171,9 @@ class Reader {
             std::size_t const place = &cell - cells.data();
             auto const column = named_column(cell.text);
             bool const verdict = column.unit.empty() && is_verdict(lowered(column.bare));
+            if (place == ones_) {
+                continue;
+            }
             if (stripe_field_of(column) == trials && trials_held_ != TrialsHeld::counts) {
                 check_are_labels(cell);
                 take_waves(cell, place);
@@ -196,9 +228,10 @@ class Reader {
     void take_column(Cell const& cell, NamedColumn const& column, std::size_t at) {
         auto const field = stripe_field_of(column);
         if (!field || !(column.unit.empty() || field == amplitude)) {
+            std::vector<std::string> known(names.begin(), names.end());
+            known.insert(known.end(), {"wave", "record"});
             rows_.fail(cell, fmt::format("column {} (unknown). {}", in_quotes(cell.text),
-                                         config::suggestion(lowered(cell.text),
-                                                            std::vector<std::string>(names.begin(), names.end()))));
+                                         config::suggestion(lowered(cell.text), known)));
         }
         auto& place = place_of(*field);
         if (place) {
@@ -274,6 +307,7 @@ class Reader {
     std::vector<Stripe> stripes_;
     std::optional<std::size_t> verdict_;  ///< where each row is a trial
     std::map<double, Stripe> single_;     ///< of such rows, by amplitude
+    std::optional<std::size_t> ones_;     ///< column of the trials of rows that name their wave
     std::optional<std::size_t> waves_;    ///< column of their waves' names
     std::string wave_column_;
     std::vector<std::string> wave_names_;

@@ -52,6 +52,17 @@ TEST_F(TrialsColumn, NumbersOfTrialsAreNoCounts) {
     EXPECT_EQ(twice[0]["trials"], 2);
 }
 
+// a wave's name beside its one trial.
+TEST_F(TrialsColumn, NamesMayStandBesideOneTrialEach) {
+    auto const named = fit("wave,pga [g],overturned\nA,0.6,0\nA,0.9,1\nB,0.6,0\nB,0.9,1\n");
+    EXPECT_EQ(fit("wave,pga [g],trials,overturned\nA,0.6,1,0\nA,0.9,1,1\nB,0.6,1,0\nB,0.9,1,1\n").out, named.out);
+    EXPECT_EQ(fit("n,overturned,pga [g],record\n1,0,0.6,A\n1,1,0.9,A\n1,0,0.6,B\n1,1,0.9,B\n").out, named.out);
+    refuse("wave,pga [g],trials,overturned\nA,0.6,1,0\nB,0.9,2,1\n",
+           "t.csv:3:7: '2' trials of a named wave (which of them fell?)");
+    refuse("pga [g],trials,n,overturned\n0.6,1,1,0\n", "column 'trials' twice");
+    refuse("gm_id,pga [g],trials,overturned\nA,0.6,1,0\n", "trials, overturned, failed, wave, record");
+}
+
 // counts stay counts, also of few trials and without a single fall more than one.
 TEST_F(TrialsColumn, CountsStayCounts) {
     auto const counted = stripes("trials,pga [g],overturned\n40,0.5,0\n40,0.7,1\n40,0.6,0\n");
