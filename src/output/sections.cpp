@@ -113,7 +113,8 @@ constexpr std::array sections{
             [](Printed const& p) {
                 return (p.answered.spec.bodies.size() > 1 && !is_grid(p) && is_enough(p)) || !p.pairs.empty();
             },
-            [](Printed const& p) { return !p.pairs.empty(); }, together},
+            [](Printed const& p) { return !p.pairs.empty(); }, together,
+            "it needs several bodies (and no grid), or two measures: state them with --measures pga,pgv"},
     Section{"hand", always, never_unasked,
             [](Printed const& p, TextOptions const&) { return hand_check_text(p.answered.spec, p.by_hand); }},
     Section{"frequency", [](Printed const& p) { return p.hazard != nullptr && is_enough(p); }, always,

@@ -49,6 +49,16 @@ TEST_F(Together, AnyOfTheBodies) {
     EXPECT_NE(text.find("phi pooled over levels: type-a/type-b "), std::string::npos) << text;
 }
 
+//
+TEST_F(Together, SaysWhatItNeedsOfOneBody) {
+    auto one = small_campaign("shared", 12);
+    auto const second = one.rfind("[[bodies]]");
+    folder.write("one.toml", one.erase(second, one.find("[levels]") - second));
+    ASSERT_EQ(overturn(folder, {"run", "one.toml", "-o", "one.h5"}).code, 0);
+    auto const text = overturn(folder, {"fit", "one.h5", "--section", "together"}).out;
+    EXPECT_NE(text.find("needs several bodies (and no grid), or two measures"), std::string::npos) << text;
+}
+
 //
 TEST_F(Together, CurveOverTwoMeasures) {
     auto const plain = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);
