@@ -160,9 +160,9 @@ bool are_of_one_kind(ComponentName const& one, ComponentName const& other) {
     if (degrees_between(one, other)) {
         return true;
     }
-    constexpr auto kinds = std::to_array<Text>({"xy", "lt", "rt", "12"});
+    constexpr auto kinds = std::to_array<Text>({"xy", "lt", "rt", "12", "fnfp"});
     auto const pair = std::min(one.axis, other.axis) + std::max(one.axis, other.axis);
-    return is_among(kinds, pair) || pair == "fnfp";
+    return is_among(kinds, pair);
 }
 
 // A word of its own, or a letter that is used for the vertical axis. "d" is a displacement too.

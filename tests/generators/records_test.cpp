@@ -81,6 +81,7 @@ TEST(Records, ComponentsOfOneRecordingAreNoTwoSamples) {
                               {"q_EW.csv", "q_UD.csv"},
                               {"q_x.csv", "q_z.csv"},
                               {"q_N.csv", "q_E.csv", "q_Z.csv"},
+                              {"q_FN.csv", "q_FP.csv", "q_UP.csv"},
                               {"q1x.csv", "q1y.csv", "q1z.csv"},
                               {"q_ns.csv", "q_ew.csv"},
                               {"q1ns.csv", "q1ew.csv", "q1ud.csv"},
