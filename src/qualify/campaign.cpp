@@ -81,7 +81,7 @@ values = {from = "300 gal", to = "1500 gal", count = 7}
 
 // SHA-256 of the digests of all stored rows, by kind of machine: the same on every x86-64 CPU.
 std::string known_rows(std::string const& kind) {
-    return kind == "x86-64" ? "b437adc2e93d583da05dd523f933a451ef971c1b300e81a0b65216d10c2feabb" : "";
+    return kind == "x86-64" ? "56e02bb1c72ee18273796c01edc54c325754d69e214f3c1f07aa5a7e4d47fa2a" : "";
 }
 
 CampaignInput campaign() {
