@@ -106,12 +106,11 @@ std::string body_text(BodyAnalysis const& body, double confidence) {
     auto const& levels = body.over_levels().fit;
     auto const of = levels.group_size > 1 ? fmt::format("groups of {:g} waves with the same draw", levels.group_size)
                                           : std::string("waves");
-    auto text =
-        fmt::format("\n{}: fragility curves from {} {}; confidence intervals by {}\n", body.body, levels.waves, of,
-                    levels.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap over waves"
-                    : levels.method == FragilityFit::Method::widest
-                        ? "the widest of bootstrap over waves and likelihood"
-                        : "profile likelihood");
+    auto text = fmt::format(
+        "\n{}: fragility curves from {} {}; confidence intervals by {}\n", body.body, levels.waves, of,
+        levels.method == FragilityFit::Method::bootstrap_by_waves ? "bootstrap over waves"
+        : levels.method == FragilityFit::Method::widest           ? "the widest of bootstrap over waves and likelihood"
+                                                                  : "profile likelihood");
     text += fmt::format("  variability of waves: {}\n", body.variability);
     text += body.sigma ? fmt::format("  {}\n", sigma_text(*body.sigma)) : "";
     text += fragility_table(body.fragility, confidence);
