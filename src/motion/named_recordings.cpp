@@ -132,7 +132,7 @@ ComponentName numbered(Text word) {
 }
 
 ComponentName direction_named(Text word) {
-    if (auto const one = numbered(word); one.direction != Direction::unknown) {
+    if (auto one = numbered(word); one.direction != Direction::unknown) {
         return one;
     }
     bool const single_number = word.size() < 3 && !word.empty() && is_digit(word[0]);

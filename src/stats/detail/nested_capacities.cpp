@@ -111,6 +111,7 @@ std::vector<CapacityRange> ranges_of(std::span<SingleTrial const> trials) {
         wave = i;
     }
     std::vector<CapacityRange> ranges;
+    ranges.reserve(counts.size());
     for (auto const& [range, waves] : counts) {
         ranges.push_back({range.first, range.second, waves});
     }
@@ -119,6 +120,7 @@ std::vector<CapacityRange> ranges_of(std::span<SingleTrial const> trials) {
 
 std::vector<CapacityRange> ranges_of(std::span<FragilityPoint const> points, double waves) {
     std::vector<CapacityRange> ranges;
+    ranges.reserve(points.size() + 1);
     double low = -infinite;
     double share = 0;
     for (auto const& point : points) {
@@ -132,7 +134,7 @@ std::vector<CapacityRange> ranges_of(std::span<FragilityPoint const> points, dou
 }
 
 NestedCapacities::NestedCapacities(std::vector<CapacityRange> ranges, ProbitLine const& near, double confidence)
-    : ranges_(std::move(ranges)), log_median_(near.log_median()), log_beta_(std::log(near.beta())), least_(0) {
+    : ranges_(std::move(ranges)), log_median_(near.log_median()), log_beta_(std::log(near.beta())) {
     double const width = 4 * near.beta();
     log_median_ = highest([&](double x) { return best_through(x, 0); }, log_median_ - width, log_median_ + width);
     constexpr double reach = 3;

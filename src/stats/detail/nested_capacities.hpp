@@ -46,7 +46,7 @@ class NestedCapacities {
 
     std::vector<CapacityRange> ranges_;
     double log_median_, log_beta_;  ///< of the best curve
-    double least_;                  ///< log likelihood at the ends
+    double least_ = 0;              ///< log likelihood at the ends
 };
 
 }  // namespace overturn
