@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 
-#include "generators/aftershock.hpp"
+#include "generators/detail/aftershock.hpp"
 #include "generators/detail/compatible_source.hpp"
 #include "generators/detail/components.hpp"
-#include "generators/records.hpp"
+#include "generators/detail/records.hpp"
 #include "spectra/target_input.hpp"
 
 namespace overturn {

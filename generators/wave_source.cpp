@@ -6,11 +6,11 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
-#include "generators/aftershock.hpp"
-#include "generators/filtered_noise.hpp"
-#include "generators/harmonic.hpp"
-#include "generators/pulse.hpp"
-#include "generators/records.hpp"
+#include "generators/detail/aftershock.hpp"
+#include "generators/detail/filtered_noise.hpp"
+#include "generators/detail/harmonic.hpp"
+#include "generators/detail/pulse.hpp"
+#include "generators/detail/records.hpp"
 #include "generators/spectrum_compatible.hpp"
 
 namespace overturn {

@@ -6,9 +6,9 @@
 #include "config/table.hpp"
 #include "core/units.hpp"
 #include "generators/detail/components.hpp"
+#include "generators/detail/filtered_noise.hpp"
 #include "generators/detail/point_density.hpp"
 #include "generators/envelope.hpp"
-#include "generators/filtered_noise.hpp"
 #include "generators/wave_source.hpp"
 
 namespace overturn {

@@ -1,6 +1,6 @@
 #include "generators/detail/record_keys.hpp"
 
-#include "generators/records.hpp"
+#include "generators/detail/records.hpp"
 
 namespace overturn {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "contact/detail/contact_step.hpp"
-#include "contact/rim_law.hpp"
+#include "contact/detail/rim_law.hpp"
 #include "core/error.hpp"
 
 namespace overturn {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "contact/rim_law.hpp"
+#include "contact/detail/rim_law.hpp"
 
 namespace overturn {
 namespace {

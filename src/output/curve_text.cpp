@@ -12,8 +12,8 @@
 #include "output/detail/fit_names.hpp"
 #include "output/detail/fit_words.hpp"
 #include "output/detail/grid_map_text.hpp"
+#include "output/detail/interval_text.hpp"
 #include "output/detail/quote_text.hpp"
-#include "output/interval_text.hpp"
 #include "output/waves_text.hpp"
 #include "results/analysis.hpp"
 

@@ -8,7 +8,7 @@
 #include "core/outward.hpp"
 #include "core/text_width.hpp"
 #include "core/wrapped.hpp"
-#include "output/interval_text.hpp"
+#include "output/detail/interval_text.hpp"
 
 namespace overturn::output {
 namespace {

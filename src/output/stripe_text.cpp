@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "campaign/typed_units.hpp"
+#include "output/detail/interval_text.hpp"
 #include "output/detail/level_columns.hpp"
 #include "output/detail/limit_text.hpp"
-#include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
 #include "response/registry.hpp"
 #include "results/few_waves.hpp"

@@ -1,6 +1,6 @@
 // Requirement: a second shock follows the first after a pause: the first keeps every bit, the second is an
 // independent wave of the same source, and a source that draws nothing is refused.
-#include "generators/aftershock.hpp"
+#include "generators/detail/aftershock.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // Requirement R-105: filtered noise has the density of its published filter, the variance that is its integral, and its
 // envelope.
-#include "generators/filtered_noise.hpp"
+#include "generators/detail/filtered_noise.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // Requirement R-105: a sweep of sinusoids is one source, one wave for each frequency.
-#include "generators/harmonic.hpp"
+#include "generators/detail/harmonic.hpp"
 
 #include <cmath>
 

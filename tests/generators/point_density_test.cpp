@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "generators/detail/filtered_noise.hpp"
 #include "generators/detail/real_fft.hpp"
-#include "generators/filtered_noise.hpp"
 #include "support/expect_input_error.hpp"
 #include "support/sources.hpp"
 #include "support/tolerance.hpp"

@@ -1,5 +1,5 @@
 // Requirement R-105: pulses have exactly the peaks, areas and lengths their formulas name.
-#include "generators/pulse.hpp"
+#include "generators/detail/pulse.hpp"
 
 #include <algorithm>
 #include <cmath>

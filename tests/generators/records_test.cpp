@@ -1,5 +1,5 @@
 // Requirement R-108: record n is wave n, untouched, and a damaged or missing file is named where the campaign names it.
-#include "generators/records.hpp"
+#include "generators/detail/records.hpp"
 
 #include <cmath>
 

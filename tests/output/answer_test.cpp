@@ -14,7 +14,7 @@
 #include "core/outward.hpp"
 #include "core/wrapped.hpp"
 #include "output/detail/answer_cells.hpp"
-#include "output/interval_text.hpp"
+#include "output/detail/interval_text.hpp"
 #include "output/sections.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"

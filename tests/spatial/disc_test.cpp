@@ -8,8 +8,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "contact/detail/rim_law.hpp"
 #include "contact/matching.hpp"
-#include "contact/rim_law.hpp"
 #include "core/units.hpp"
 #include "spatial/cases.hpp"
 #include "spatial/rolling_cylinder.hpp"

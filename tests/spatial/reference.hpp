@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-#include "contact/rim_law.hpp"
+#include "contact/detail/rim_law.hpp"
 #include "spatial/spatial_motion.hpp"
 
 namespace overturn::testing {

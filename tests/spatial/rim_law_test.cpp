@@ -1,6 +1,6 @@
 // Requirement R-606: elements of a rim give back what the law states, a rim rocks as it does in its plane, far above
 // Housner's restitution, and scarcely touching it presses what the integral over its arc says.
-#include "contact/rim_law.hpp"
+#include "contact/detail/rim_law.hpp"
 
 #include <algorithm>
 #include <array>

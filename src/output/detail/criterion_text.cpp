@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "output/detail/criterion_words.hpp"
-#include "output/interval_text.hpp"
+#include "output/detail/interval_text.hpp"
 
 namespace overturn::output {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "campaign/typed_units.hpp"
 #include "core/text_width.hpp"
-#include "output/interval_text.hpp"
+#include "output/detail/interval_text.hpp"
 #include "output/package_text.hpp"
 #include "response/registry.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "core/outward.hpp"
 #include "output/curve_spread.hpp"
-#include "output/interval_text.hpp"
+#include "output/detail/interval_text.hpp"
 #include "results/few_waves.hpp"
 
 namespace overturn::output {

@@ -8,8 +8,8 @@
 
 #include "campaign/typed_units.hpp"
 #include "core/outward.hpp"
+#include "output/detail/interval_text.hpp"
 #include "output/detail/level_columns.hpp"
-#include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
 
 namespace overturn::output {

@@ -7,7 +7,7 @@
 
 #include "core/outward.hpp"
 #include "output/detail/fit_words.hpp"
-#include "output/interval_text.hpp"
+#include "output/detail/interval_text.hpp"
 
 namespace overturn::output {
 namespace {

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "output/detail/interval_text.hpp"
 #include "output/detail/level_columns.hpp"
-#include "output/interval_text.hpp"
 #include "output/shown_levels.hpp"
 
 namespace overturn::output {

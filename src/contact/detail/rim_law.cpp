@@ -1,4 +1,4 @@
-#include "contact/rim_law.hpp"
+#include "contact/detail/rim_law.hpp"
 
 #include <algorithm>
 #include <array>

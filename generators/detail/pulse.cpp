@@ -1,10 +1,10 @@
-#include "generators/pulse.hpp"
+#include "generators/detail/pulse.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "generators/detail/components.hpp"
-#include "generators/harmonic.hpp"
+#include "generators/detail/harmonic.hpp"
 
 namespace overturn {
 namespace {

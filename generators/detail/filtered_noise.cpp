@@ -1,4 +1,4 @@
-#include "generators/filtered_noise.hpp"
+#include "generators/detail/filtered_noise.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <gsl/gsl_randist.h>
 
 #include "core/random_stream.hpp"
-#include "generators/aftershock.hpp"
+#include "generators/detail/aftershock.hpp"
 #include "generators/detail/baseline.hpp"
 #include "generators/detail/components.hpp"
 #include "generators/detail/noise_keys.hpp"

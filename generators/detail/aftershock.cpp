@@ -1,4 +1,4 @@
-#include "generators/aftershock.hpp"
+#include "generators/detail/aftershock.hpp"
 
 #include <cmath>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "generators/records.hpp"
+#include "generators/detail/records.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "generators/harmonic.hpp"
+#include "generators/detail/harmonic.hpp"
 
 #include <algorithm>
 #include <cmath>
