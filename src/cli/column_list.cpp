@@ -66,6 +66,34 @@ std::string unit_of(store::ColumnMeaning const& column) {
     return column.units.empty() || column.units == "1" ? "" : "[" + column.units + "]";
 }
 
+std::string text_of(std::vector<ListedGroup> const& groups, std::string_view before) {
+    std::string text;
+    for (auto const& group : groups) {
+        text += fmt::format("{}{}\n", before, group.name);
+        std::size_t widest = 0;
+        for (auto const& column : group.columns) {
+            widest = std::max(widest, text_width(column.path));
+        }
+        for (auto const& column : group.columns) {
+            auto const unit = unit_of(column);
+            bool const known = std::ranges::find(group.unknown, column.path) == group.unknown.end();
+            text += labelled("  " + column.path,
+                             fmt::format("{}{}{}{}", unit, unit.empty() ? "" : " ",
+                                         known ? "" : "(unknown to this program) ", column.description),
+                             widest + 4);
+        }
+    }
+    return text;
+}
+
+// A bar would end the cell.
+std::string cell_of(std::string meaning) {
+    for (std::size_t bar = 0; (bar = meaning.find('|', bar)) != std::string::npos; bar += 2) {
+        meaning.insert(bar, "\\");
+    }
+    return meaning;
+}
+
 }  // namespace
 
 void add_groups(store::ResultsReader const& file, std::vector<std::string> const& unknown,
@@ -93,42 +121,44 @@ void add_groups(store::ResultsReader const& file, std::vector<std::string> const
     std::ranges::sort(groups, {}, &ListedGroup::name);
 }
 
-std::string columns_text(std::vector<ListedGroup> const& groups) {
-    std::string text;
-    for (auto const& group : groups) {
-        text += fmt::format("/{}\n", group.name);
-        std::size_t widest = 0;
-        for (auto const& column : group.columns) {
-            widest = std::max(widest, text_width(column.path));
+void add_groups(std::vector<output::Table> const& tables, std::vector<ListedGroup>& groups) {
+    for (auto const& table : tables) {
+        if (std::ranges::find(groups, table.name, &ListedGroup::name) != groups.end()) {
+            continue;
         }
-        for (auto const& column : group.columns) {
-            auto const unit = unit_of(column);
-            bool const known = std::ranges::find(group.unknown, column.path) == group.unknown.end();
-            text += labelled("  " + column.path,
-                             fmt::format("{}{}{}{}", unit, unit.empty() ? "" : " ",
-                                         known ? "" : "(unknown to this program) ", column.description),
-                             widest + 4);
+        auto& group = groups.emplace_back(table.name);
+        for (auto const& column : table.columns) {
+            group.columns.push_back({column.key(), column.unit.symbol, column.meaning});
         }
+        std::ranges::sort(group.columns, {}, &store::ColumnMeaning::path);
     }
-    return text;
+    std::ranges::sort(groups, {}, &ListedGroup::name);
 }
 
-std::string columns_markdown(std::vector<ListedGroup> const& groups) {
+std::string columns_text(ListedColumns const& of) { return text_of(of.file, "/") + text_of(of.json, "fit --json: "); }
+
+std::string columns_markdown(ListedColumns const& of) {
     std::string text =
         "# Columns of a results file\n\nAll columns that a campaign can give. `overturn list columns FILE.h5` lists "
         "the "
         "columns of one file. An empty unit means a number without unit. Since: the first format with the column; "
         "empty: format 3, the oldest that can be read.\n\n";
-    for (auto const& group : groups) {
+    for (auto const& group : of.file) {
         text += fmt::format("## /{}\n\n| column | unit | since | meaning |\n|---|---|---|---|\n", group.name);
         for (auto const& column : group.columns) {
-            std::string meaning = column.description;
-            for (std::size_t bar = 0; (bar = meaning.find('|', bar)) != std::string::npos; bar += 2) {
-                meaning.insert(bar, "\\");
-            }
             auto const since = store::first_format_of(group.name, column.path);
             text += fmt::format("| `{}` | {} | {} | {} |\n", column.path, column.units == "1" ? "" : column.units,
-                                since == store::oldest_format_read ? "" : std::to_string(since), meaning);
+                                since == store::oldest_format_read ? "" : std::to_string(since),
+                                cell_of(column.description));
+        }
+        text += "\n";
+    }
+    text += "## Only in JSON\n\nTables of `fit --json` that are in no file. Names end with the unit.\n\n";
+    for (auto const& group : of.json) {
+        text += fmt::format("### {}\n\n| column | unit | meaning |\n|---|---|---|\n", group.name);
+        for (auto const& column : group.columns) {
+            text += fmt::format("| `{}` | {} | {} |\n", column.path, column.units == "1" ? "" : column.units,
+                                cell_of(column.description));
         }
         text += "\n";
     }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "output/table.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn::cli {
@@ -22,9 +23,16 @@ struct ListedGroup {
 void add_groups(store::ResultsReader const& file, std::vector<std::string> const& unknown,
                 std::vector<ListedGroup>& groups);
 
+/// Adds the columns of tables that only JSON has, in the order of names.
+void add_groups(std::vector<output::Table> const& tables, std::vector<ListedGroup>& groups);
+
+/// Columns of a file, and those of tables that only `fit --json` has.
+struct ListedColumns {
+    std::vector<ListedGroup> file, json;
+};
 /// For people at a terminal.
-[[nodiscard]] std::string columns_text(std::vector<ListedGroup> const& groups);
+[[nodiscard]] std::string columns_text(ListedColumns const& of);
 /// The text of src/store/COLUMNS.md.
-[[nodiscard]] std::string columns_markdown(std::vector<ListedGroup> const& groups);
+[[nodiscard]] std::string columns_markdown(ListedColumns const& of);
 
 }  // namespace overturn::cli

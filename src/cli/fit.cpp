@@ -25,11 +25,9 @@
 #include "output/curve_tables.hpp"
 #include "output/fit_json.hpp"
 #include "output/made_by.hpp"
-#include "output/records_table.hpp"
 #include "output/results_tables.hpp"
 #include "output/sections.hpp"
 #include "output/status_text.hpp"
-#include "output/summary_tables.hpp"
 #include "results/analysis.hpp"
 #include "results/few_waves.hpp"
 #include "results/hand_check.hpp"
@@ -37,6 +35,7 @@
 #include "results/rare_results.hpp"
 #include "results/recount.hpp"
 #include "results/statistics.hpp"
+#include "results/stored_names.hpp"
 #include "results/telling_trials.hpp"
 #include "results/together.hpp"
 #include "runner/interim.hpp"
@@ -163,21 +162,20 @@ output::Json levels_json(LevelSpec const& levels) {
 
 // \param interim how far the run is; null: it is complete
 void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics, bool changed,
-                       output::Json const& interim = nullptr) {
+                       std::vector<std::string> const& unknown, output::Json const& interim = nullptr) {
     auto json = output::fit_json(spec, statistics, all.analysis, all.confidence);
     json["assumptions"] = assumptions_json(spec);
     json["levels"] = levels_json(spec.levels);
     json["unverified"] = changed;
+    json["unknown_columns"] = unknown;
     json["interim"] = interim;
-    std::vector<output::Table> tables{
-        output::answer_table(answered_of(all, spec, statistics)), output::records_table(spec, all.few),
-        output::telling_trial_table(spec, all.telling), output::hand_check_table(spec, all.by_hand)};
-    if (!all.pairs.empty()) {
-        tables.push_back(output::two_measure_table(all.pairs, all.confidence));
-    }
+    auto tables = output::json_tables({.answered = answered_of(all, spec, statistics),
+                                       .few = all.few,
+                                       .telling = all.telling,
+                                       .by_hand = all.by_hand,
+                                       .pairs = all.pairs,
+                                       .hazard = all.hazard ? &*all.hazard : nullptr});
     if (all.hazard) {
-        std::ranges::move(output::frequency_tables(spec.levels.units(), all.frequencies, *all.hazard, all.confidence),
-                          std::back_inserter(tables));
         json["hazard_notes"] = all.hazard->remarks();
     }
     if (spec.rare && interim.is_null()) {
@@ -217,7 +215,7 @@ int fit_file(FitOptions const& options) {
     bool const withheld = has_withheld(input);
     auto const all = fitted(options, text, &file, input, spec, statistics);
     if (options.json) {
-        print_fitted_json(all, spec, statistics, changed);
+        print_fitted_json(all, spec, statistics, changed, unknown_columns(file, spec));
     } else {
         print_fitted(all, spec, statistics, withheld, options.file, text);
     }
@@ -252,7 +250,7 @@ int fit_interim(FitOptions const& options) {
     auto const& spec = *now.spec;
     auto const all = fitted(options, text, nullptr, now.input, spec, now.statistics);
     if (options.json) {
-        print_fitted_json(all, spec, now.statistics, false,
+        print_fitted_json(all, spec, now.statistics, false, {},
                           {{"waves", now.waves},
                            {"planned", now.planned},
                            {"blocks", now.blocks},

@@ -21,6 +21,7 @@
 #include "generators/acceptance.hpp"
 #include "generators/envelope.hpp"
 #include "motion/record.hpp"
+#include "output/fit_json.hpp"
 #include "response/effects.hpp"
 #include "response/registry.hpp"
 #include "results/recount.hpp"
@@ -95,25 +96,28 @@ int list_keys(ListOptions const& options) {
 }
 
 // Of a campaign that this program cannot read it knows no columns, so none can be called unknown.
-std::vector<std::string> unknown_in(store::ResultsReader const& file) {
+void add_columns(store::ResultsReader const& file, ListedColumns& listed) {
+    std::vector<std::string> unknown;
     try {
-        return unknown_columns(file, parse_campaign(input_of(file)));
-    } catch (InputError const&) {
-        return {};
+        auto const spec = parse_campaign(input_of(file));
+        unknown = unknown_columns(file, spec);
+        add_groups(output::empty_json_tables(spec), listed.json);
+    } catch (InputError const&) {  // NOLINT(bugprone-empty-catch)
     }
+    add_groups(file, unknown, listed.file);
 }
 
 int list_columns(ListOptions const& options) {
     validate(!options.named.empty(), "list columns (of which file?). Name a results file");
     validate(!options.json && !options.schema,
              "--json and --schema (columns are listed as text or with --markdown). Leave them out");
-    std::vector<ListedGroup> groups;
+    ListedColumns listed;
     for (auto const& path : options.named) {
         store::ResultsReader const file(path, options.unverified.trust());
         (void)options.unverified.warn_if_edited(file, path);
-        add_groups(file, unknown_in(file), groups);
+        add_columns(file, listed);
     }
-    fmt::print("{}", options.markdown ? columns_markdown(groups) : columns_text(groups));
+    fmt::print("{}", options.markdown ? columns_markdown(listed) : columns_text(listed));
     return done;
 }
 

@@ -35,6 +35,7 @@
 #include "output/page_text.hpp"
 #include "output/records_table.hpp"
 #include "output/summary_tables.hpp"
+#include "output/unknown_names.hpp"
 #include "output/waves_text.hpp"
 #include "report/cost_page.hpp"
 #include "report/figure.hpp"
@@ -133,8 +134,11 @@ void check_places(ReportOptions const& options) {
 }
 
 // What the page says of the waves in words.
-Json notes_of(CampaignSpec const& spec, Statistics const& statistics) {
+Json notes_of(CampaignSpec const& spec, Statistics const& statistics, store::ResultsReader const& file) {
     auto notes = Json::array();
+    if (auto const unknown = output::unknown_columns_text(file, spec); !unknown.empty()) {
+        notes.push_back("Warning: " + unknown + ".");
+    }
     if (auto const note = output::waves_text(statistics.waves(), spec.source->about().acceptance, spec.confidence);
         !note.empty()) {
         notes.push_back(note);
@@ -248,7 +252,7 @@ int write_report(ReportOptions const& options) {
     add_words(answered, data);
     data["waves"] = waves_of(input, spec, plan, file);
     data["spectra"] = spectra_of(input, spec);
-    data["wave_notes"] = notes_of(spec, statistics);
+    data["wave_notes"] = notes_of(spec, statistics, file);
     auto const histories = shown_trials(spec, plan, telling, file);
     data["histories"] = histories.drawn;
     data["histories_of"] =

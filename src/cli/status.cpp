@@ -18,6 +18,7 @@
 #include "results/missed_clauses.hpp"
 #include "results/recount.hpp"
 #include "results/statistics.hpp"
+#include "results/stored_names.hpp"
 #include "runner/merge.hpp"
 #include "runner/output_place.hpp"
 #include "store/format_versions.hpp"
@@ -95,6 +96,7 @@ StatusReport report_of_file(std::string const& path, Unverified const& unverifie
     }
     report.facts = {{"complete", true},
                     {"edited", changed},
+                    {"unknown_columns", unknown_columns(file, spec)},
                     {"content_sha256", digest},
                     {"title", file.text("title")},
                     {"waves", counts_json(counted.waves(), planned)},

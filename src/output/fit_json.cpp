@@ -1,9 +1,14 @@
 #include "output/fit_json.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "output/campaign_tables.hpp"
 #include "output/detail/body_table.hpp"
 #include "output/detail/criterion_words.hpp"
 #include "output/detail/fit_words.hpp"
+#include "output/records_table.hpp"
+#include "output/summary_tables.hpp"
 
 namespace overturn::output {
 namespace {
@@ -50,6 +55,29 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::span<
             {{"body", body.body}, {"supports", words.supports}, {"against", words.against}, {"open", words.open}});
     }
     return json;
+}
+
+std::vector<Table> json_tables(FitExtras const& of) {
+    auto const& [answered, few, telling, by_hand, pairs, hazard] = of;
+    auto const& spec = answered.spec;
+    std::vector<Table> tables{answer_table(answered), records_table(spec, few), telling_trial_table(spec, telling),
+                              hand_check_table(spec, by_hand)};
+    if (!pairs.empty()) {
+        tables.push_back(two_measure_table(pairs, answered.confidence));
+    }
+    if (hazard != nullptr) {
+        std::ranges::move(frequency_tables(spec.levels.units(), answered.frequencies, *hazard, answered.confidence),
+                          std::back_inserter(tables));
+    }
+    return tables;
+}
+
+std::vector<Table> empty_json_tables(CampaignSpec const& spec) {
+    Statistics const none(spec);
+    HazardCurve const hazard({{1, 1}, {2, 0.5}});
+    auto tables = json_tables({.answered = {.spec = spec, .statistics = none, .analysis = {}}, .hazard = &hazard});
+    tables.push_back(two_measure_table({}, spec.confidence));
+    return tables;
 }
 
 }  // namespace overturn::output

@@ -2,10 +2,18 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
+#include "campaign/rows.hpp"
+#include "output/answer.hpp"
 #include "output/json.hpp"
+#include "output/table.hpp"
 #include "results/analysis.hpp"
+#include "results/hand_check.hpp"
 #include "results/statistics.hpp"
+#include "results/telling_trials.hpp"
+#include "results/together.hpp"
+#include "stats/hazard.hpp"
 
 namespace overturn::output {
 
@@ -20,5 +28,19 @@ enum class WarningUnits { si, as_written };
 [[nodiscard]] Json fit_json(CampaignSpec const& spec, Statistics const& statistics,
                             std::span<BodyAnalysis const> analysis, double confidence,
                             WarningUnits units = WarningUnits::si);
+
+/// Results of `fit` beside those of campaign_tables; all outlive it.
+struct FitExtras {
+    Answered answered;
+    std::span<TrialRow const> few = {};  ///< trials_of_few_waves
+    std::span<TellingTrial const> telling = {};
+    std::span<HandCheck const> by_hand = {};
+    std::span<TwoMeasures const> pairs = {};  ///< none: no such table
+    HazardCurve const* hazard = nullptr;      ///< null: no tables of frequencies
+};
+/// Tables of `fit --json` that are in no file.
+[[nodiscard]] std::vector<Table> json_tables(FitExtras const& of);
+/// The same of a campaign without results, all of them: their columns and no rows.
+[[nodiscard]] std::vector<Table> empty_json_tables(CampaignSpec const& spec);
 
 }  // namespace overturn::output

@@ -8,6 +8,11 @@
 #include "results/stored_names.hpp"
 
 namespace overturn::output {
+namespace {
+
+constexpr std::size_t most_named = 12;  // columns
+
+}  // namespace
 
 std::vector<std::string> unknown_names_text(store::ResultsReader const& file) {
     std::vector<std::string> verdicts;
@@ -29,12 +34,17 @@ std::vector<std::string> unknown_names_text(store::ResultsReader const& file) {
     return lines;
 }
 
+std::string unknown_columns_text(store::ResultsReader const& file, CampaignSpec const& spec) {
+    auto const unknown = unknown_columns(file, spec);
+    return unknown.empty() ? std::string()
+                           : "columns that this program does not know: " + names_text(unknown, most_named);
+}
+
 std::string absent_columns_text(store::ResultsReader const& file, CampaignSpec const& spec) {
-    constexpr std::size_t most = 12;
     auto const absent = absent_columns(file, spec);
     return absent.empty() ? std::string()
-                          : fmt::format("it has no {}: results that need {} are not known", names_text(absent, most),
-                                        absent.size() == 1 ? "it" : "them");
+                          : fmt::format("it has no {}: results that need {} are not known",
+                                        names_text(absent, most_named), absent.size() == 1 ? "it" : "them");
 }
 
 }  // namespace overturn::output

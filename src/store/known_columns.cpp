@@ -33,7 +33,7 @@ bool is_known_column(std::string_view group, std::string_view column) {
         return false;
     }
     auto const section = page.substr(begin + head.size());
-    auto const end = section.find("\n## /");
+    auto const end = section.find("\n## ");
     return section.substr(0, end).find(fmt::format("\n| `{}` |", column)) != std::string_view::npos;
 }
 

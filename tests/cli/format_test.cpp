@@ -268,6 +268,14 @@ TEST_F(Format, AProgramWithMoreIsRead) {
         std::string::npos)
         << verified.err;
     EXPECT_NE(verified.out.find("0 waves differ"), std::string::npos) << verified.out;
+    for (std::string const verb : {"fit", "status"}) {
+        auto const found = json::parse(overturn(folder, {verb, "more.h5", "--json"}).out).at("unknown_columns");
+        EXPECT_FALSE(found.empty()) << verb;
+        for (auto const& path : found) {
+            auto const column = path.get<std::string>();
+            EXPECT_NE(columns.out.find("  " + column.substr(column.rfind('/') + 1)), std::string::npos) << column;
+        }
+    }
 }
 
 // R-1003: what a file does not have is unknown; only what distinguishes trials and how they ended has to be there.
