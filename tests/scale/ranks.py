@@ -53,7 +53,7 @@ class Run:
         self.rule, self.ranks, self.costs, self.speeds, self.takes_over = rule, ranks, costs, speeds, takes_over
         self.given, self.there, self.finished = 0, set(), {}
         self.open = set(range(len(costs)))
-        self.next, self.end = [0] * ranks, [0] * ranks
+        self.shares, self.given_out = [[] for _ in range(ranks)], [0] * ranks
         self.longest, self.looks = [0.0] * ranks, [0] * ranks
         self.events, self.ends = [], 0.0
         first = 1 if ranks > rule["ranks_worth_serving"] else 0
@@ -65,17 +65,15 @@ class Run:
 
     def begin(self, now, rank):
         """The next block of the rank's share; where none is left it waits."""
-        if self.next[rank] == self.end[rank]:
-            share = max(1, int((len(self.costs) - self.end[rank]) / (self.rule["shares_each"] * self.ranks)))
-            self.next[rank], self.given = self.given, self.given + share
-            self.end[rank] = self.next[rank] + share
-        block = self.next[rank]
-        if block >= len(self.costs):
-            if self.takes_over:
-                self.wait(now, rank)
-            return
-        self.next[rank] += 1
-        self.compute(now, rank, block, "own")
+        if not self.shares[rank]:
+            size = max(1, int((len(self.costs) - self.given_out[rank]) / (self.rule["shares_each"] * self.ranks)))
+            first, self.given = self.given, self.given + size
+            self.given_out[rank] = self.given
+            self.shares[rank] = list(range(min(first, len(self.costs)), min(self.given, len(self.costs))))
+        if self.shares[rank]:
+            self.compute(now, rank, self.shares[rank].pop(0), "own")
+        elif self.takes_over:
+            self.wait(now, rank)
 
     def compute(self, now, rank, block, what):
         took = self.costs[block] * self.speeds[rank]
@@ -91,9 +89,10 @@ class Run:
     def idle(self, now, rank):
         self.looks[rank] += 1
         missing = sorted(self.open)
-        chosen = (rank + self.looks[rank] * int(self.rule["step"])) % self.ranks < 2 * len(missing)
-        if missing and chosen:
-            self.compute(now, rank, missing[rank % len(missing)], "other's")
+        turn = (rank + self.looks[rank] * int(self.rule["step"])) % self.ranks
+        if turn < 2 * len(missing):
+            place = turn % len(missing) if self.ranks > 2 * len(missing) else len(missing) * rank // self.ranks
+            self.compute(now, rank, missing[place], "other's")
         elif len(self.there) < len(self.costs):
             self.wait(now, rank)
 
@@ -108,6 +107,7 @@ class Run:
             elif what == "look":
                 if self.given >= len(self.costs) and block in self.there:
                     broken_off.add((rank, block))
+                    self.shares[rank] = [other for other in self.shares[rank] if other not in self.there]
                     self.begin(now, rank)
                 elif block not in self.finished.get(rank, set()):
                     self.at(now + self.rule["taken_over_look_s"], rank, "look", block)

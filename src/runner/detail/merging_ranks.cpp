@@ -22,10 +22,10 @@ constexpr char is_done = '+';
 constexpr char has_failed = '!';
 constexpr char was_interrupted = '?';
 constexpr std::size_t digits = 64;
-// When a share is done again: as long after the longest as that took, and a second.
-constexpr double done_again_after_s = 1, times_longest = 2;
+// When a share is done again: as long after the longest as that took, and a moment. The same bytes are written twice.
+constexpr double done_again_after_s = 0.2, times_longest = 2;
 // When nothing is left to do, all ranks end without one that stays away so many times as long as the longest share.
-constexpr double hung_after_shares = 10;
+constexpr double hung_after_shares = 10, shortest_share_s = 1;
 constexpr int ends_failed = 1;
 
 // "17 text"
@@ -279,7 +279,7 @@ void MergingRanks::let_go(std::string const& outcome, int code_without_all) {
     Shares none{};
     comm_.wait_for_all([&] {
         take_answers(none);
-        if (seconds_since(begin) > hung_after_shares * std::max(done_again_after_s, longest_s_)) {
+        if (seconds_since(begin) > hung_after_shares * std::max(shortest_share_s, longest_s_)) {
             (void)std::fflush(stdout);
             print_note(
                 "overturn: a rank has not answered for {:.0f} s (stopped, or its node is down): all ranks end. {}\n",

@@ -22,9 +22,9 @@ constexpr double soon_s = 0.1;           // blocks computed together: a SIGTERM 
 constexpr double commit_every_s = 0.05;  // what a kill may lose beside the blocks under way
 // A rank that has nothing left waits as long as its longest block took, within these bounds, before it takes a block
 // over; before the next one it does not wait. tests/scale/ranks.py simulates it.
-constexpr double least_patience_s = 1;
-constexpr double patience_untried_s = 30;  // of a rank that computed no block
-constexpr double taken_over_look_s = 0.5;  // how often a rank looks whether its blocks were taken over
+constexpr double least_patience_s = 0.3;
+constexpr double patience_untried_s = 30;   // of a rank that computed no block
+constexpr double taken_over_look_s = 0.25;  // how often a rank looks whether its blocks were taken over
 // After so long a rank that does not come is taken for stopped or dead, and the run ends: blocks on disk stay.
 constexpr double hung_after_s = 60, hung_after_blocks = 10, hung_look_s = 5;
 constexpr std::int64_t stop_mark = std::int64_t{1} << 40U;  // beside the blocks done, which never come near it
@@ -65,6 +65,7 @@ class Worker {
             auto rows = run(blocks);
             if (!rows && are_there_) {
                 fresh_ += std::ssize(blocks);
+                give_up_taken_over();
                 continue;
             }
             stopped_ = !rows;
@@ -90,21 +91,36 @@ class Worker {
             stopped_ = true;
             return false;
         }
-        std::int64_t const count = left_.size();
-        if (next_ == end_) {
-            auto const share = std::max<std::int64_t>(1, (count - end_) / (shares_each * comm_.size()));
-            next_ = given_.take(share);
-            end_ = next_ + share;
+        if (share_.empty()) {
+            std::int64_t const count = left_.size();
+            auto const size = std::max<std::int64_t>(1, (count - given_out_) / (shares_each * comm_.size()));
+            auto const first = given_.take(size);
+            given_out_ = first + size;
+            auto const begin = left_.begin();
+            share_.assign(begin + std::min(first, count), begin + std::min(given_out_, count));
         }
-        return next_ < count;
+        return !share_.empty();
     }
 
     // Of the share.
-    std::span<std::int64_t const> next_blocks() {
-        auto const count = std::min(group_, std::min<std::int64_t>(end_, std::ssize(left_)) - next_);
-        auto const blocks = std::span(left_).subspan(next_, count);
-        next_ += count;
+    std::vector<std::int64_t> next_blocks() {
+        auto const end = share_.begin() + std::min(group_, std::ssize(share_));
+        std::vector<std::int64_t> blocks(share_.begin(), end);
+        share_.erase(share_.begin(), end);
         return blocks;
+    }
+
+    // Where others took blocks of this rank over, they took more than one.
+    void give_up_taken_over() {
+        if (share_.empty()) {
+            return;
+        }
+        std::vector<std::int64_t> left;
+        std::vector<std::string> ignored;
+        std::ranges::set_difference(share_, what_.shards.committed({share_.front(), share_.back() + 1}, ignored),
+                                    std::back_inserter(left));
+        fresh_ += std::ssize(share_) - std::ssize(left);
+        share_ = std::move(left);
     }
 
     // Groups grow from one block as far as they are worth it and done soon: nothing is kept of one that is broken off.
@@ -175,14 +191,17 @@ class Worker {
         auto const missing = done < stop_mark ? std::ssize(left_) - done : 0;
         // Of many idle ranks about twice as many as blocks are missing look into the folder, other ones each time.
         constexpr std::int64_t step = 40'503;
-        if (missing <= 0 || (comm_.rank() + looks_ * step) % comm_.size() >= 2 * missing) {
+        std::int64_t const turn = (comm_.rank() + looks_ * step) % comm_.size();
+        if (missing <= 0 || turn >= 2 * missing) {
             return;
         }
         auto const held = not_on_disk();
         if (held.empty()) {
             return;
         }
-        auto const block = held[comm_.rank() % held.size()];
+        // Few ranks go through parts of their own, so that none computes what another one is computing.
+        auto const count = std::ssize(held);
+        auto const block = held[comm_.size() > 2 * missing ? turn % count : comm_.rank() * count / comm_.size()];
         if (auto rows = run(std::span(&block, 1))) {
             computed_.push_back({block, rows->front().pack()});
             commit();
@@ -242,7 +261,8 @@ class Worker {
     parallel::SharedCounter given_, done_;
     PhaseSeconds seconds_;
     std::string failure_;
-    std::int64_t next_ = 0, end_ = 0;           ///< this rank's share of `left_`
+    std::vector<std::int64_t> share_;           ///< this rank's of `left_`, and not begun
+    std::int64_t given_out_ = 0;                ///< blocks of `left_`, when this rank last asked
     std::vector<store::PackedBlock> computed_;  ///< and not on disk yet
     std::int64_t group_ = 1;                    ///< blocks to be computed together
     std::int64_t fresh_ = 0;                    ///< on disk and not reported yet
