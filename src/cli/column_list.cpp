@@ -126,7 +126,7 @@ void add_groups(std::vector<output::Table> const& tables, std::vector<ListedGrou
         if (std::ranges::find(groups, table.name, &ListedGroup::name) != groups.end()) {
             continue;
         }
-        auto& group = groups.emplace_back(table.name);
+        auto& group = *groups.insert(groups.end(), {table.name, {}, {}});
         for (auto const& column : table.columns) {
             group.columns.push_back({column.key(), column.unit.symbol, column.meaning});
         }
