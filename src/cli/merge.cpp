@@ -8,6 +8,7 @@
 #include "cli/text_choice.hpp"
 #include "cli/verbs.hpp"
 #include "cli/walltime.hpp"
+#include "core/elapsed.hpp"
 #include "core/next_step.hpp"
 
 namespace overturn::cli {
@@ -24,7 +25,7 @@ void add_merge(CommandLine& line) {
         NextStep const next(
             fmt::format("merge again: all blocks are kept in {}.parts (to merge elsewhere, move it there)", *path));
         return on_all_ranks([&](parallel::Communicator const& comm) {
-            return merge_parts(*path, comm, {packing->layout(), text->options(), seconds_of_job(comm)})
+            return merge_parts(*path, comm, {packing->layout(), text->options(), seconds_of_job(comm), program_begin()})
                            == MergeEnd::complete
                        ? done
                        : resumable;

@@ -11,6 +11,7 @@
 #include "cli/text_choice.hpp"
 #include "cli/verbs.hpp"
 #include "cli/walltime.hpp"
+#include "core/elapsed.hpp"
 #include "core/error.hpp"
 #include "core/next_step.hpp"
 #include "core/print_note.hpp"
@@ -82,7 +83,7 @@ int run(RunVerbOptions const& options, parallel::Communicator const& comm) {
     auto const text = options.text.options();
     auto const input = load_campaign_everywhere(options.campaign, options.settings, comm);
     RunOptions run_options;
-    run_options.merge = {options.packing.layout(), text};
+    run_options.merge = {.layout = options.packing.layout(), .text = text, .begun = program_begin()};
     run_options.output = output_of(options);
     run_options.resume = options.resume;
     run_options.extend = options.extend;

@@ -11,4 +11,7 @@ using Clock = std::chrono::steady_clock;
     return std::chrono::duration<double>(Clock::now() - begin).count();
 }
 
+/// When this program began, after its libraries were loaded.
+[[nodiscard]] Clock::time_point program_begin();
+
 }  // namespace overturn

@@ -226,7 +226,7 @@ MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator
             },
             [&] { return stop_policy.may_merge(); },
             [&](std::string const& tables) {
-                write_runtime(output, segments);
+                write_runtime(output, segments, seconds_since(options.begun));
                 fmt::print("{}results: {}\n", tables, output.string());
             },
             {}, options);

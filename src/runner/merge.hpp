@@ -11,6 +11,7 @@
 #include "campaign/campaign_input.hpp"
 #include "campaign/campaign_spec.hpp"
 #include "campaign/plan.hpp"
+#include "core/elapsed.hpp"
 #include "output/sections.hpp"
 #include "parallel/communicator.hpp"
 #include "results/rare_rows.hpp"
@@ -24,6 +25,8 @@ struct MergeOptions {
     store::Layout layout = store::Layout::plain;
     output::TextOptions text{};
     double max_walltime_s = std::numeric_limits<double>::infinity();  ///< of merge_parts; a run has its own
+    Clock::time_point begun =
+        Clock::now();  ///< when the program began: FILE.runtime.json counts from then, of runs too
 };
 
 /// Blocks of a campaign, and who merges them.

@@ -129,10 +129,13 @@ class Run {
                 print_note("warning: {}\n", line);
             }
         }
+        seconds_.start = seconds_since(options_.merge.begun);
         take_rows_of(committed_);
         bool whole = options_.part.is_whole() ? draw_all() : complete(all_of(plan_.blocks_of(options_.part)));
         if (whole && spec_.rare) {
+            auto const begin = Clock::now();
             rare_ = run_rare(spec_, shards_, stop_policy_, comm_);
+            seconds_.rare = seconds_since(begin);
             whole = rare_.has_value();
         }
         auto const end = whole && merges() ? merge() : whole ? RunEnd::complete : RunEnd::stopped;
@@ -218,7 +221,7 @@ class Run {
             progress.finish();
         }
         done_.add(done);
-        wall_s_ += progress.elapsed_s();
+        seconds_.work += progress.elapsed_s();
         asked_ += all;
         unfinished_ = std::ssize(left) - done.committed;
         return comm_.largest(comm_.is_root() && unfinished_ > 0 ? 1 : 0) == 0;
@@ -266,7 +269,8 @@ class Run {
                 }
             },
             rare_ ? std::span<RareBody const>(*rare_) : std::span<RareBody const>(), how);
-        done_.seconds.store += comm_.is_root() ? seconds_since(begin) : 0;
+        seconds_.merge = seconds_since(begin);
+        done_.seconds.store += comm_.is_root() ? seconds_.merge : 0;
         return whole ? RunEnd::complete : RunEnd::stopped;
     }
 
@@ -276,8 +280,9 @@ class Run {
             if (auto const costs = output::model_costs(sum_of_models(ranks)); !costs.empty()) {
                 print_note("cost: {}\n", costs);
             }
+            seconds_.wall = seconds_since(options_.merge.begun);
             print_segments(
-                segment_text(options_.part, ranks, wall_s_, done_.committed * plan_.trials() / plan_.blocks()));
+                segment_text(options_.part, ranks, seconds_, done_.committed * plan_.trials() / plan_.blocks()));
         }
     }
 
@@ -311,7 +316,7 @@ class Run {
     WorkDone done_;
     std::optional<std::vector<RareBody>> rare_;
     std::vector<std::string> earlier_segments_;  ///< of blocks that are merged; known on rank 0
-    double wall_s_ = 0;
+    RunSeconds seconds_;
     bool packs_ = false;  ///< the results file
     bool reported_obstacle_ = false;
     std::vector<std::int64_t> committed_;      ///< by earlier runs

@@ -50,7 +50,8 @@ PhaseSeconds sum_of_models(std::vector<std::string> const& ranks) {
     return sum;
 }
 
-std::string segment_text(Part part, std::vector<std::string> const& ranks, double wall_s, std::int64_t trials) {
+std::string segment_text(Part part, std::vector<std::string> const& ranks, RunSeconds const& seconds,
+                         std::int64_t trials) {
     auto const now = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
     auto const ended = std::chrono::system_clock::to_time_t(now);
     std::tm utc{};
@@ -63,7 +64,11 @@ std::string segment_text(Part part, std::vector<std::string> const& ranks, doubl
               {"compiler", compiler()},
               {"libraries", library_versions()},
               {"mpi", parallel::Communicator::library()},
-              {"wall_s", wall_s},
+              {"wall_s", seconds.wall},
+              {"start_s", seconds.start},
+              {"work_s", seconds.work},
+              {"rare_s", seconds.rare},
+              {"merge_s", seconds.merge},
               {"trials", trials},
               {"ranks", Json::array()}};
     for (auto const& rank : ranks) {
@@ -72,8 +77,8 @@ std::string segment_text(Part part, std::vector<std::string> const& ranks, doubl
     return json.dump();
 }
 
-void write_runtime(std::filesystem::path const& output, std::span<std::string const> segments) {
-    double wall_s = 0;
+void write_runtime(std::filesystem::path const& output, std::span<std::string const> segments, double merge_s) {
+    double wall_s = merge_s;
     std::int64_t trials = 0;
     auto list = Json::array();
     auto ranks = Json::array();
@@ -91,11 +96,9 @@ void write_runtime(std::filesystem::path const& output, std::span<std::string co
         segment["ranks"] = segment["ranks"].size();
         list.push_back(std::move(segment));
     }
-    Json const json{{"wall_s", wall_s},
-                    {"trials", trials},
-                    {"trials_per_s", wall_s > 0 ? static_cast<double>(trials) / wall_s : 0.0},
-                    {"segments", list},
-                    {"ranks", ranks}};
+    Json const json{{"wall_s", wall_s}, {"merge_s", merge_s},
+                    {"trials", trials}, {"trials_per_s", wall_s > 0 ? static_cast<double>(trials) / wall_s : 0.0},
+                    {"segments", list}, {"ranks", ranks}};
     auto path = output;
     path.replace_extension(".runtime.json");
     auto const content = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

@@ -404,6 +404,23 @@ TEST_F(Format, TheTimesSayOnWhatTheyWereTaken) {
     }
 }
 
+// The time of a run is all of it, as `plan` counts it: reading and calibrating, blocks, rare events, merging.
+TEST_F(Format, TheTimeOfARunIsThatOfTheProgram) {
+    run(small_campaign("shared", 2), "c.h5");
+    auto const runtime = json::parse(folder.read("c.runtime.json"));
+
+    auto const& segment = runtime.at("segments")[0];
+    double parts = 0;
+    for (char const* part : {"start_s", "work_s", "merge_s"}) {
+        EXPECT_GT(segment.at(part), 0) << part;
+        parts += segment.at(part).get<double>();
+    }
+    EXPECT_EQ(segment.at("rare_s"), 0);
+    EXPECT_GE(segment.at("wall_s"), parts);
+    EXPECT_EQ(runtime.at("wall_s"), segment.at("wall_s"));
+    EXPECT_EQ(runtime.at("merge_s"), 0) << "of a program of its own";
+}
+
 /// Segments of a run that stopped early are reported, too.
 TEST_F(Format, EverySegmentIsReported) {
     folder.write("target.csv", target_csv);

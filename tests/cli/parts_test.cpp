@@ -71,6 +71,13 @@ TEST_F(Parts, MergedAreTheBytesOfOneRun) {
     EXPECT_EQ(runtime.at("segments")[1].at("part"), "3/3");
     EXPECT_EQ(runtime.at("ranks").size(), 4U);
     EXPECT_EQ(runtime.at("trials"), 42);
+    double wall_s = runtime.at("merge_s");
+    EXPECT_GT(wall_s, 0);
+    for (auto const& segment : runtime.at("segments")) {
+        EXPECT_EQ(segment.at("merge_s"), 0);
+        wall_s += segment.at("wall_s").get<double>();
+    }
+    EXPECT_DOUBLE_EQ(runtime.at("wall_s"), wall_s);
     expect_as_one_run();
 
     auto const again = merge();  // a job that is requeued
