@@ -20,6 +20,7 @@
 #include "cli/verbs.hpp"
 #include "core/elapsed.hpp"
 #include "core/error.hpp"
+#include "core/shared_rows.hpp"
 #include "core/wrapped.hpp"
 #include "output/frequency_text.hpp"
 #include "output/shown_levels.hpp"
@@ -29,6 +30,7 @@
 #include "results/statistics.hpp"
 #include "runner/probe.hpp"
 #include "runner/progress.hpp"
+#include "runner/rare_forecast.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -105,8 +107,35 @@ std::vector<std::int64_t> asked_ranks(PlanOptions const& options) {
     return ranks;
 }
 
+// What a run does before its first block was done here by now.
+StartSeconds start_of_run(double calibration_s) {
+    return {.own = seconds_since(program_begin()) - calibration_s, .calibration = calibration_s};
+}
+
+ForecastSeconds seconds_of(StartSeconds const& start, ProbedCost const& cost, RareForecast const& rare) {
+    return {.start = start, .wave = cost.counted_wave_s(), .rare = rare.seconds.likely};
+}
+
+// Of one rank.
+Json rare_json(RareForecast const& rare) {
+    auto const ends = [](rare::Effort const& effort) {
+        return Json{{"least", effort.least}, {"likely", effort.likely}, {"most", effort.most}};
+    };
+    return {{"trials", ends(rare.trials)}, {"seconds", ends(rare.seconds)}};
+}
+
+std::string rare_text(CampaignSpec const& spec, RareForecast const& rare) {
+    return fmt::format(
+        "{} bodies, {} limit states, {} levels beside the trials: about {:.1g} trials, {} on one core; "
+        "{} if the first estimator can be trusted, {} at most ({} waves an estimator); their rows are "
+        "not counted here",
+        spec.bodies.size(), spec.limits.size(), spec.levels.levels.size(), rare.trials.likely,
+        duration_text(rare.seconds.likely), duration_text(rare.seconds.least), duration_text(rare.seconds.most),
+        spec.rare->max_runs);
+}
+
 // All that the text says, in SI.
-int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& drawn, double start_s,
+int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& drawn, double calibration_s,
                     std::optional<HazardCurve> const& hazard, PlanOptions const& options) {
     auto const plan = drawn.without_refusals();
     Json json{{"title", spec.title},
@@ -128,11 +157,14 @@ int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& 
               {"warnings", warnings_of(spec)},
               {"assumptions", assumptions_json(spec)}};
     json.update(sizes_json(input, spec, plan));
+    auto const start = start_of_run(calibration_s);
     auto const cost = probe(spec, drawn);
+    auto const rare = forecast_rare(spec);
     json["probe"] = probe_json(spec, cost);
+    json["rare"] = spec.rare ? rare_json(rare) : Json();
     json["ranks"] = Json::array();
     for (auto const ranks : asked_ranks(options)) {
-        json["ranks"].push_back(ranks_json(estimate_ranks(spec, plan, cost.counted_wave_s(), start_s, ranks)));
+        json["ranks"].push_back(ranks_json(estimate_ranks(spec, plan, seconds_of(start, cost, rare), ranks)));
     }
     fmt::print("{}\n", json.dump(2));
     return done;
@@ -221,31 +253,34 @@ int plan_campaign(PlanOptions const& options) {
              "--ranks {} (must be 1 to {}). Say on how many ranks it shall run", options.ranks.value_or(0),
              most_asked_ranks);
     auto const input = load_campaign(path, options.settings);
-    auto const begin = Clock::now();
     auto spec = parse_campaign(input);
-    double const start_s = seconds_since(begin);  // calibrations, which every rank makes
+    auto const begin = Clock::now();
+    spec.source->prepare(rows_alone);
+    double const calibration_s = seconds_since(begin);
     Plan const plan(spec);
     auto const hazard = stated_hazard(input, spec.levels);  // refused before anything is printed
     if (options.json) {
-        return print_plan_json(input, spec, plan, start_s, hazard, options);
+        return print_plan_json(input, spec, plan, calibration_s, hazard, options);
     }
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
     print_scene(input, spec, plan.without_refusals(), hazard, options);
+    auto const start = start_of_run(calibration_s);
     auto const cost = print_probe(spec, plan, options.full);
-    double const all = cost.counted_wave_s() * static_cast<double>(plan.asked());
+    auto const rare = forecast_rare(spec);
     if (spec.rare) {
-        print_entry("rare", fmt::format("{} bodies, {} limit states, {} levels beside the trials: at most {} waves an "
-                                        "estimator; their time and rows are not counted here",
-                                        spec.bodies.size(), spec.limits.size(), spec.levels.levels.size(),
-                                        spec.rare->max_runs));
+        print_entry("rare", rare_text(spec, rare));
     }
     auto const cores = std::max(1U, std::thread::hardware_concurrency());
-    print_entry("time", fmt::format("about {} on the {} cores here, {} on one; results file: about {:.2f} MB",
-                                    duration_text(start_s + all / cores), cores, duration_text(start_s + all),
+    auto const estimate = [&](std::int64_t ranks) {
+        return estimate_ranks(spec, plan.without_refusals(), seconds_of(start, cost, rare), ranks);
+    };
+    auto const one = estimate(1);
+    print_entry("time", fmt::format("about {} on the {} cores here, {} on one ({}); results file: about {:.2f} MB",
+                                    duration_text(estimate(cores).wall_s()), cores, duration_text(one.wall_s()),
+                                    parts_text(one),
                                     1e-6 * static_cast<double>(file_bytes(input, spec, plan.without_refusals()))));
     if (options.ranks) {
-        print_entry("ranks", ranks_text(estimate_ranks(spec, plan.without_refusals(), cost.counted_wave_s(), start_s,
-                                                       *options.ranks)));
+        print_entry("ranks", ranks_text(estimate(*options.ranks)));
     }
     if (options.full) {
         fmt::print("{}", scratch_line(plan.without_refusals()));

@@ -13,20 +13,24 @@ namespace overturn::cli {
 namespace {
 
 // tests/scale/README.md: rows read, counted, written and hashed; of trials held for curves what rank 0 does, and the
-// fits. Each curve takes some time of its own, which grows with its trials up to so many.
+// fits. Each curve takes some time of its own, which grows with its trials up to so many: tests/benchmarks/README.md.
 constexpr double merged_trial_s = 2.4e-6;
 constexpr double held_trial_s = 0.5e-6;
 constexpr double fitted_trial_s = 2.0e-6;
-constexpr double curve_s = 0.04;
-constexpr double curve_trials = 2048;
+constexpr double file_s = 0.08;  // groups and attributes, tables as text
+constexpr double least_curve_s = 0.015;
+constexpr double curve_s = 0.03;
+constexpr double curve_trials = 1000;
+// A step of the chains of subset simulation is 1600 trials in blocks of 64: no more ranks find work.
+constexpr std::int64_t most_ranks_of_rare = 25;
 
 // Ranks take whole curves.
 double curves_s(CampaignSpec const& spec, double held, std::int64_t ranks) {
     auto const curves = count_curves(spec);
     auto const rounds = (curves + ranks - 1) / ranks;
     double const of_body = held / static_cast<double>(spec.bodies.size());
-    double const each =
-        fitted_trial_s * held / static_cast<double>(curves) + curve_s * std::min(1.0, of_body / curve_trials);
+    double const each = fitted_trial_s * held / static_cast<double>(curves) + least_curve_s
+                        + curve_s * std::min(1.0, of_body / curve_trials);
     return static_cast<double>(rounds) * each;
 }
 
@@ -41,17 +45,18 @@ double RankEstimate::busy() const {
     return all > 0 ? std::min(1.0, static_cast<double>(blocks) * block_s / all) : 0;
 }
 
-RankEstimate estimate_ranks(CampaignSpec const& spec, Plan const& plan, double wave_s, double start_s,
+RankEstimate estimate_ranks(CampaignSpec const& spec, Plan const& plan, ForecastSeconds const& seconds,
                             std::int64_t ranks) {
-    RankEstimate estimate{.ranks = ranks, .blocks = plan.blocks(), .start_s = start_s};
-    estimate.block_s = wave_s * static_cast<double>(plan.waves()) / static_cast<double>(plan.blocks());
+    RankEstimate estimate{.ranks = ranks, .blocks = plan.blocks(), .start_s = seconds.start.on(ranks)};
+    estimate.block_s = seconds.wave * static_cast<double>(plan.waves()) / static_cast<double>(plan.blocks());
     auto const rounds = (plan.blocks() + ranks - 1) / ranks;
     estimate.work_s = static_cast<double>(rounds) * estimate.block_s;
+    estimate.rare_s = seconds.rare / static_cast<double>(std::min(ranks, most_ranks_of_rare));
     auto const trials = static_cast<double>(plan.trials());
     bool const shared = Statistics::add_up(spec) && !spec.rare;
     double const held = std::min(trials, static_cast<double>(most_trials_held));
-    estimate.merge_s = merged_trial_s * trials / (shared ? static_cast<double>(ranks) : 1) + held_trial_s * held
-                       + curves_s(spec, held, ranks);
+    estimate.merge_s = file_s + merged_trial_s * trials / (shared ? static_cast<double>(ranks) : 1)
+                       + held_trial_s * held + curves_s(spec, held, ranks);
     return estimate;
 }
 
@@ -64,9 +69,16 @@ std::string ranks_text(RankEstimate const& estimate) {
         estimate.blocks, short_time(estimate.block_s), short_time(estimate.merge_s));
 }
 
+std::string parts_text(RankEstimate const& estimate) {
+    return fmt::format("starting {}, waves {}{}, merging {}", short_time(estimate.start_s), short_time(estimate.work_s),
+                       estimate.rare_s > 0 ? ", rare events " + short_time(estimate.rare_s) : std::string(),
+                       short_time(estimate.merge_s));
+}
+
 Json ranks_json(RankEstimate const& estimate) {
     return {{"ranks", estimate.ranks},   {"wall_s", estimate.wall_s()}, {"start_s", estimate.start_s},
-            {"work_s", estimate.work_s}, {"merge_s", estimate.merge_s}, {"busy", estimate.busy()}};
+            {"work_s", estimate.work_s}, {"rare_s", estimate.rare_s},   {"merge_s", estimate.merge_s},
+            {"busy", estimate.busy()}};
 }
 
 }  // namespace overturn::cli

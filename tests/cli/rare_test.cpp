@@ -43,6 +43,29 @@ class Rare : public ::testing::Test {
     Folder folder;
 };
 
+// rare events are part of what `plan` foretells, and of what the run then says it took.
+TEST_F(Rare, ArePartOfThePlansTime) {
+    folder.write("c.toml", campaign("method='subset'"));
+    auto const ended = overturn(folder, {"plan", "c.toml", "--json"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const plan = nlohmann::json::parse(ended.out);
+    auto const& seconds = plan.at("rare").at("seconds");
+    auto const& one = plan.at("ranks")[0];
+
+    EXPECT_GT(seconds.at("least"), 0);
+    EXPECT_GE(seconds.at("likely"), seconds.at("least"));
+    EXPECT_GE(seconds.at("most"), seconds.at("likely"));
+    EXPECT_EQ(one.at("rare_s"), seconds.at("likely"));
+    EXPECT_DOUBLE_EQ(one.at("wall_s"), one.at("start_s").get<double>() + one.at("work_s").get<double>()
+                                           + one.at("rare_s").get<double>() + one.at("merge_s").get<double>());
+    EXPECT_NE(overturn(folder, {"plan", "c.toml"}).out.find("rare events"), std::string::npos);
+
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    auto const segment = nlohmann::json::parse(folder.read("c.runtime.json")).at("segments")[0];
+    EXPECT_GT(segment.at("rare_s"), 0);
+    EXPECT_GT(segment.at("wall_s"), segment.at("rare_s"));
+}
+
 // R-1101: subset simulation killed in the middle of a level goes on, on other ranks, to the bytes of an unbroken
 // run.
 TEST_F(Rare, SubsetIsTheSameOnAnyRanksAndAfterKills) {
