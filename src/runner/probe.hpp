@@ -20,7 +20,7 @@ struct ProbedCost {
     [[nodiscard]] double counted_wave_s() const { return wave_s() + refused_per_wave * (generation_s + measures_s); }
 };
 
-/// Draws up to 16 waves spread over the campaign, for a second. Their trials are answered at some
+/// Draws up to 16 waves spread over the campaign, for a second. The trials of four are answered at some
 /// levels first, and at all where that takes no second: dear campaigns are estimated from the few.
 /// \param spec its levels are thinned for a while
 [[nodiscard]] ProbedCost probe(CampaignSpec& spec, Plan const& plan);
