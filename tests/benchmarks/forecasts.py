@@ -1,0 +1,83 @@
+#!/usr/bin/env python3
+"""Does `plan` say what a run then takes? Every campaign, on one rank.
+
+    forecasts.py PROGRAM [--campaigns DIR] [--seconds 300] [--repetitions 1] [--only WORD]
+
+A plan and a run follow each other at once, so that neighbours on the machine slow both alike. Printed are what the plan says for one rank, what
+the run takes from the start of its program to its end, their ratio, what the run's FILE.runtime.json says, and the run's CPU time: where that
+is far below the run's time, a neighbour had the core. Of a campaign whose plan exceeds --seconds so few waves are taken that it does not: its
+row says how many. With more repetitions each figure is a median."""
+
+import argparse
+import json
+import os
+import pathlib
+import re
+import resource
+import statistics
+import subprocess
+import tempfile
+import time
+
+
+def seconds_of(command, folder):
+    """Wall and CPU time of a command, and what it printed; no output where it refused its input."""
+    before, began = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
+    wall, after = time.perf_counter() - began, resource.getrusage(resource.RUSAGE_CHILDREN)
+    if done.returncode != 0:
+        raise RuntimeError(done.stderr.strip().splitlines()[-1])
+    return wall, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done.stdout
+
+
+def one_rank(plan):
+    return next(ranks for ranks in plan["ranks"] if ranks["ranks"] == 1)
+
+
+def fewer_waves(campaign, plan, seconds):
+    """Settings under which the plan is of so many seconds; none where it is of fewer."""
+    one = one_rank(plan)
+    if one["wall_s"] <= seconds or not re.search(r"^count\b", campaign.read_text(), re.MULTILINE):
+        return []
+    return ["--set", f"waves.count={max(2, int(plan['waves'] * seconds / one['wall_s']))}"]
+
+
+def compared(program, campaign, seconds):
+    with tempfile.TemporaryDirectory() as folder:
+        def planned(settings):
+            return json.loads(seconds_of([program, "plan", campaign, "--json", *settings], folder)[2])
+
+        plan = planned([])
+        settings = fewer_waves(campaign, plan, seconds)
+        plan = planned(settings) if settings else plan
+        wall, cpu, _ = seconds_of([program, "run", campaign, "-o", "r.h5", *settings], folder)
+        told = json.loads((pathlib.Path(folder) / "r.runtime.json").read_text())["wall_s"]
+    return plan["waves"], bool(settings), one_rank(plan), wall, told, cpu
+
+
+def main():
+    os.environ.update({"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"})
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("program", metavar="PROGRAM", type=lambda text: pathlib.Path(text).resolve())
+    parser.add_argument("--campaigns", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2] / "campaigns")
+    parser.add_argument("--seconds", type=float, default=300)
+    parser.add_argument("--repetitions", type=int, default=1)
+    parser.add_argument("--only", default="")
+    options = parser.parse_args()
+    print("| campaign | waves | plan | run | run / plan | wall_s | CPU time |\n|---|---|---|---|---|---|---|", flush=True)
+    for campaign in sorted(options.campaigns.resolve().glob("*.toml")):
+        if options.only not in campaign.stem:
+            continue
+        try:
+            rows = [compared(options.program, campaign, options.seconds) for _ in range(options.repetitions)]
+        except RuntimeError as error:
+            print(f"| {campaign.stem} | not run: {error} |", flush=True)
+            continue
+        waves, fewer = rows[0][:2]
+        plan, run, told, cpu = (statistics.median(times) for times in zip(*((r[2]["wall_s"], *r[3:]) for r in rows)))
+        print(f"| {campaign.stem} | {waves}{' (fewer)' if fewer else ''} | {plan:.2f} s | {run:.2f} s | {run / plan:.2f} | {told:.2f} s | "
+              f"{cpu:.2f} s |", flush=True)
+
+
+if __name__ == "__main__":
+    main()
