@@ -8,8 +8,8 @@
 namespace overturn {
 namespace {
 
-constexpr double problem_s = 2;  // for all levels of a limit state
-constexpr double all_s = 6;
+constexpr double problem_s = 0.5;  // for all levels of a limit state
+constexpr double all_s = 1;
 
 struct Sounded {
     rare::Effort trials;
