@@ -156,6 +156,7 @@ Json notes_of(CampaignSpec const& spec, Statistics const& statistics, store::Res
 void add_words(output::Answered const& of, Json& data) {
     data["headlines"] = output::headlines(of);
     data["quote_remarks"] = output::quote_remarks(of);
+    data["low_points"] = output::low_points(of);
     data["cut_short"] = output::cut_short_lines(of);
     data["notes"] = output::page_notes(of);
     auto const& levels = of.spec.levels;

@@ -189,7 +189,8 @@ class SheetMaker {
     // ">= 0.2 g (estimate 0.245 g)"
     [[nodiscard]] std::string capacity_text(MeasuredFragility const& curve, bool low_point) const {
         return too_few_ ? needs_more()
-                        : hclpf_text(curve, {low_point, of_.beta_u_of_campaign && is_beta_u_assumed(of_.spec)});
+                        : hclpf_text(curve, {.low_point = low_point,
+                                             .beta_u_assumed = of_.beta_u_of_campaign && is_beta_u_assumed(of_.spec)});
     }
 
     [[nodiscard]] std::string needs_more() const {

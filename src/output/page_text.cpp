@@ -8,6 +8,7 @@
 
 #include "core/outward.hpp"
 #include "core/texts_of.hpp"
+#include "output/detail/answer_cells.hpp"
 #include "output/detail/answer_parts.hpp"
 #include "output/detail/fit_names.hpp"
 #include "output/detail/fit_words.hpp"
@@ -20,11 +21,6 @@ namespace {
 constexpr int headline_digits = 3;
 
 std::string median_end(double value) { return std::isfinite(value) ? fmt::format("{:g}", value) : "open"; }
-
-// An amplitude that the body withstands, rounded down.
-std::string withstood_text(MeasuredFragility const& curve, double intensity) {
-    return curve.shown_in.text(curve.shown_in.si * rounded_down(curve.shown_in.of(intensity), headline_digits));
-}
 
 std::string basis_text(Answered const& of, std::size_t body, std::size_t limit) {
     auto const& levels = of.spec.levels.levels;
@@ -56,10 +52,9 @@ std::string curve_words(MeasuredFragility const& curve, double confidence) {
                             curve.shown_in.text(std::exp(fit.line->log_median())),
                             median_end(rounded_down(curve.shown_in.of(ends.lower), headline_digits)),
                             median_end(rounded_up(curve.shown_in.of(ends.upper), headline_digits)), fit.line->beta());
-    auto const five = fit.five_percent_point();
-    text += five ? ", 5 % point " + withstood_text(curve, *five) : ", no 5 % point";
-    if (auto const hclpf = fit.hclpf()) {
-        text += ", HCLPF " + withstood_text(curve, *hclpf);
+    text += ", 5 % point " + five_percent_text(curve);
+    if (fit.beta_u_known) {
+        text += ", HCLPF " + hclpf_text(curve, {.low_point = false, .beta_u = false});
     }
     auto const flags = names_of(fit.flags, fit.passing);
     return text + (flags.empty() ? std::string() : fmt::format(" (flagged: {})", fmt::join(flags, ", ")));
@@ -166,6 +161,22 @@ Json quote_remarks(Answered const& of) {
                                     {"measure", curve.name},
                                     {"text", quote_remark(curve, quoted)}});
                 }
+            }
+        }
+    }
+    return list;
+}
+
+Json low_points(Answered const& of) {
+    auto list = Json::array();
+    for (auto const& body : of.analysis) {
+        for (std::size_t limit = 0; limit < of.spec.limits.size(); ++limit) {
+            for (auto const& curve : body.curves_of(limit)) {
+                list.push_back({{"body", body.body},
+                                {"limit", curve.limit},
+                                {"measure", curve.name},
+                                {"five_percent_point", five_percent_text(curve)},
+                                {"hclpf", hclpf_text(curve, {.low_point = false, .beta_u = false})}});
             }
         }
     }

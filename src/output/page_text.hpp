@@ -17,6 +17,10 @@ namespace overturn::output {
 /// Remarks beside the rows of `probabilities`, in their order: {body, limit, measure, text}.
 [[nodiscard]] Json quote_remarks(Answered const& of);
 
+/// Low points of the curves, the safe end first, in the order of `fragility`: {body, limit, measure,
+/// five_percent_point, hclpf}, each as text.
+[[nodiscard]] Json low_points(Answered const& of);
+
 /// Number of trials that still rocked when the record ended, a line for each body with such trials.
 [[nodiscard]] std::vector<std::string> cut_short_lines(Answered const& of);
 

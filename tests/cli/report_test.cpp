@@ -1,5 +1,6 @@
 // Requirement R-905: a results file becomes one page that needs no network, with figures and tables as files if wanted.
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -174,6 +175,38 @@ TEST_F(Report, ShowsAnnualFrequenciesByAHazardCurve) {
     auto const without = overturn(*folder, {"report", "c.h5", "-o", "g.html"});
     ASSERT_EQ(without.code, 0) << without.err;
     EXPECT_EQ(folder->read("g.html").find("times a year"), std::string::npos);
+}
+
+// of HCLPF and the 5 % point the safe end comes first, in the table and in words, and no estimate stands alone.
+TEST_F(Report, GivesTheSafeEndOfLowPointsFirst) {
+    skip_without_packages();
+    if (IsSkipped()) {
+        return;
+    }
+    auto const ran = overturn(*folder, {"run", "c.toml", "-o", "many.h5", "--set", "waves.count=40", "--set",
+                                        "levels.values=['500 gal','600 gal','700 gal','800 gal','900 gal']"});
+    ASSERT_EQ(ran.code, 0) << ran.err;
+    auto const ended = overturn(*folder, {"report", "many.h5", "-o", "many.html", "--beta-u", "0.3"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const fitted = nlohmann::json::parse(overturn(*folder, {"fit", "many.h5", "--beta-u", "0.3", "--json"}).out);
+    auto const page = folder->read("many.html");
+    auto const gal = [](nlohmann::json const& mps2) {
+        return fmt::format("{:g} gal", std::floor(100 * mps2.get<double>()));
+    };
+    int told = 0;
+    for (auto const& row : fitted.at("fragility")) {
+        if (row.at("measure") != "pga" || row.at("hclpf").is_null()) {
+            continue;
+        }
+        for (std::string const point : {"five_percent_point", "hclpf"}) {
+            auto const text = fmt::format("&gt;= {} (estimate {})", gal(row.at(point + "_lower")), gal(row.at(point)));
+            auto const words = page.find(text, page.find("<section id=\"answers\">"));
+            EXPECT_LT(words, page.find("<section id=\"fragility\">")) << text;
+            EXPECT_NE(page.find("<td>" + text + "</td>", words), std::string::npos) << text;
+            ++told;
+        }
+    }
+    EXPECT_GE(told, 2);
 }
 
 // what `fit` refuses of a hazard curve the page refuses, before any of it is drawn.

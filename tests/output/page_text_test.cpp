@@ -1,6 +1,9 @@
 // Requirement R-905: what a report's page says in sentences is written with the program's other sentences.
 #include "output/page_text.hpp"
 
+#include <cmath>
+
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "support/campaigns.hpp"
@@ -56,7 +59,7 @@ TEST(PageText, AHeadlineHoldsTheDesignBasisAndTheCurve) {
                              "and 0.24; half overturn at "))
         << lines[0];
     EXPECT_NE(lines[0].find(" gal ("), std::string::npos) << "the median in the levels' unit";
-    EXPECT_NE(lines[0].find(", 5 % point "), std::string::npos);
+    EXPECT_NE(lines[0].find(", 5 % point >= "), std::string::npos);
     EXPECT_NE(lines[0].find("(flagged: no-beta-u)"), std::string::npos);
     EXPECT_EQ(lines[0].find("times a year"), std::string::npos);
 
@@ -65,6 +68,31 @@ TEST(PageText, AHeadlineHoldsTheDesignBasisAndTheCurve) {
     EXPECT_NE(safe.at(0).find("0 of 40 trials overturned, P between 0 and 0.089; nothing overturned: no curve"),
               std::string::npos)
         << safe[0];
+}
+
+// what a reader copies first of the curve's lower tail is its safe end, rounded down.
+TEST(PageText, LowPointsBeginWithTheirSafeEnd) {
+    Counted stated({0, 4, 20, 38});
+    stated.analysis = analyse(stated.spec, stated.statistics, {.beta_u = 0.3});
+    auto const& curve = stated.analysis.front().fragility.front();
+    auto const& ends = curve.fit.intervals();
+    auto const gal = [](double mps2) { return fmt::format("{:g} gal", std::floor(mps2 * 100)); };
+    auto const hclpf = fmt::format(">= {} (estimate {})", gal(ends.hclpf->lower), gal(*curve.fit.hclpf()));
+    auto const five =
+        fmt::format(">= {} (estimate {})", gal(ends.five_percent_point.lower), gal(*curve.fit.five_percent_point()));
+    ASSERT_LT(std::floor(ends.hclpf->lower * 100), std::floor(*curve.fit.hclpf() * 100)) << "two numbers";
+    auto const line = output::headlines(stated.answered()).at(0);
+    EXPECT_NE(line.find(", 5 % point " + five + ", HCLPF " + hclpf), std::string::npos) << line << hclpf;
+    auto const points = output::low_points(stated.answered());
+    ASSERT_EQ(points.size(), stated.analysis.front().fragility.size());
+    EXPECT_EQ(points[0].at("five_percent_point"), five);
+    EXPECT_EQ(points[0].at("hclpf"), hclpf);
+
+    auto const unstated = output::low_points(Counted({0, 4, 20, 38}).answered());
+    EXPECT_EQ(unstated[0].at("hclpf"), "unknown: needs beta_U");
+    EXPECT_TRUE(unstated[0].at("five_percent_point").get<std::string>().starts_with(">= "));
+    auto const none = output::low_points(Counted({0, 0, 0, 0}).answered());
+    EXPECT_TRUE(none[0].at("five_percent_point").get<std::string>().starts_with("no curve (")) << none[0];
 }
 
 // A remark for each quoted probability, in the order of the table; a bound says from which trials it comes.

@@ -26,6 +26,21 @@ std::string number_text(double value, double least) {
                           : fmt::format("{:.2g}", rounded);
 }
 
+// An amplitude that the body withstands, rounded down.
+std::string withstood_text(MeasuredFragility const& curve, double intensity) {
+    return curve.shown_in.text(curve.shown_in.si * rounded_down(curve.shown_in.of(intensity)));
+}
+
+// The safe end first.
+std::string least_text(MeasuredFragility const& curve, Interval const& ends, double estimate) {
+    return fmt::format(">= {} (estimate {})", withstood_text(curve, ends.lower), withstood_text(curve, estimate));
+}
+
+std::string unlimited_text(FragilityFit const& fit) {
+    return fit.waves > 0 ? fmt::format("unknown: {} waves do not limit it from below", fit.waves)
+                         : std::string("unknown: the trials do not limit it from below");
+}
+
 }  // namespace
 
 std::string passed_text(Stripe const& stripe) {
@@ -63,29 +78,33 @@ std::string percentiles_text(LevelQuantiles const* at, double unit, double least
     return numbers + (high.upper ? fmt::format(" (<= {})", text(*high.upper)) : " (no limit)");
 }
 
+std::string five_percent_text(MeasuredFragility const& curve) {
+    auto const& fit = curve.fit;
+    if (!fit.identifiable()) {
+        return fmt::format("no curve ({})", state_words(fit.state, fit.passing));
+    }
+    auto const& ends = fit.intervals().five_percent_point;
+    return ends.lower > 0 ? least_text(curve, ends, *fit.five_percent_point()) : unlimited_text(fit);
+}
+
 std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words) {
     auto const& fit = curve.fit;
-    auto const text = [&](double intensity) {
-        return curve.shown_in.text(curve.shown_in.si * rounded_down(curve.shown_in.of(intensity)));
-    };
     if (!fit.identifiable()) {
         return fmt::format("no curve ({})", state_words(fit.state, fit.passing));
     }
     auto const& ends = fit.intervals().hclpf;
     if (ends && ends->lower <= 0) {
-        return fmt::format("unknown: {} waves do not limit it from below", fit.waves);
+        return unlimited_text(fit);
     }
     if (!fit.hclpf()) {
         auto const& five = fit.intervals().five_percent_point;
-        return words.low_point && five.lower > 0 ? fmt::format("unknown: needs beta_U; 5 % point >= {} (estimate {})",
-                                                               text(five.lower), text(*fit.five_percent_point()))
+        return words.low_point && five.lower > 0 ? "unknown: needs beta_U; 5 % point " + five_percent_text(curve)
                                                  : std::string("unknown: needs beta_U");
     }
-    auto const stated = fit.beta_u > fit.beta_u_drawn
+    auto const stated = words.beta_u && fit.beta_u > fit.beta_u_drawn
                             ? fmt::format("; by beta_U {:.3g}{}", fit.beta_u, words.beta_u_assumed ? ", assumed" : "")
                             : std::string();
-    return (ends ? fmt::format(">= {} (estimate {})", text(ends->lower), text(*fit.hclpf())) : text(*fit.hclpf()))
-           + stated;
+    return (ends ? least_text(curve, *ends, *fit.hclpf()) : withstood_text(curve, *fit.hclpf())) + stated;
 }
 
 std::string frequency_words(BodyFrequency const& f) {

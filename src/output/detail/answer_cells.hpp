@@ -14,9 +14,13 @@ namespace overturn::output {
 /// it is below `least`. \param at null: not simulated \param unit of the response, in that of `at`
 [[nodiscard]] std::string percentiles_text(LevelQuantiles const* at, double unit, double least);
 
+/// ">= 510 gal (estimate 540 gal)": the 5 % point, or why there is none.
+[[nodiscard]] std::string five_percent_text(MeasuredFragility const& curve);
+
 /// What the cell of HCLPF adds.
 struct HclpfWords {
     bool low_point = true;        ///< the 5 % point where beta_U is missing
+    bool beta_u = true;           ///< what is stated of beta_U
     bool beta_u_assumed = false;  ///< the campaign's beta_U, by which it is known
 };
 /// ">= 380 gal (estimate 420 gal); by beta_U 0.3, assumed", or why there is none.

@@ -39,11 +39,12 @@ class Report:
         self.ends = [end for end in self.results.ends if end in self.fit["stripes"][0]]  # of those that the program knows
         tables = {part: self.fit[part] for part in ("probabilities", "band", "isotonic", "drawn", "warnings")}
         parts = {part: rows_by(rows, "body", "limit", "measure")
-                 for part, rows in {**tables, "quote_remarks": data["quote_remarks"]}.items()}
+                 for part, rows in {**tables, "quote_remarks": data["quote_remarks"], "low_points": data["low_points"]}.items()}
         self.curves = [{**fit, **{part: of.get((fit["body"], fit["limit"], fit["measure"]), []) for part, of in parts.items()}}
                        for fit in self.fit["fragility"]]  # each with what is of it
         for curve in self.curves:
             curve["warnings"] = [row["text"] for row in curve["warnings"]]
+            curve["low_points"] = next(iter(curve["low_points"]), None)
         MEASURES.update((fit["measure"], fit["title"]) for fit in self.fit["fragility"])
         levels = rows_by(self.fit.get("grid_by_level", []), "body", "wave")
         self.grid = [{**line, "levels": levels[line["body"], line["wave"]]} for line in self.fit["grid"]]

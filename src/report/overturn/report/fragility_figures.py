@@ -92,7 +92,7 @@ def level_axis(axes, results, stripes, floor):
 
 
 def fragility(results, bodies, fits, stripes, what, path):
-    """A row a body: stripes with their intervals, the lognormal curve, the isotonic estimate, design basis and HCLPF,
+    """A row a body: stripes with their intervals, the lognormal curve, the isotonic estimate, design basis and the lower end of HCLPF,
     over a linear axis and, for the tail, over a logarithmic one."""
     style.use()
     figure, panels = plt.subplots(len(bodies), 2, figsize=(5.8, 0.1 + 2.1 * len(bodies)), squeeze=False, layout="constrained")
@@ -120,9 +120,9 @@ def fragility(results, bodies, fits, stripes, what, path):
                     axes.plot(ends, [block["probability"]] * 2, color=ORANGE, lw=1.6, marker="_", ms=9, zorder=2)
                     handles["isotonic estimate"] = Line2D([], [], color=ORANGE, lw=1.6, marker="_", ms=9)
             for value, label, look in ((results.design_basis(body), "design basis", "-"),
-                                       ((fit or {}).get("hclpf"), "HCLPF", "-."),
-                                       ((fit or {}).get("five_percent_point"), "5 % point", ":")):
-                if value is not None:
+                                       ((fit or {}).get("hclpf_lower"), "HCLPF, lower end", "-."),
+                                       ((fit or {}).get("five_percent_point_lower"), "5 % point, lower end", ":")):
+                if value:
                     axes.axvline(results.in_units(value)[0], color=GREY, lw=0.8, ls=look, zorder=1)
                     handles[label] = Line2D([], [], color=GREY, lw=0.8, ls=look)
             level_axis(axes, results, mine, floor)

@@ -100,9 +100,8 @@ def curves(report, limit):
     fits, stripes, did = report.fits_of(limit), report.stripes[limit], passed(limit)
     mine = [f for f in fits.values() if f["measure"] == report.results.measure]
     fitted = [[f["body"], report.amplitude(f["median"]), report.amplitudes(ends(f, "median"), 3),
-               value_of(f["beta"], 3), interval(ends(f, "beta"), 3), report.capacity(f["five_percent_point"]),
-               report.amplitudes(ends(f, "five_percent_point"), 3), report.capacity(f["hclpf"]),
-               report.amplitudes(ends(f, "hclpf"), 3), report.capacity(f["one_percent_point"]), flags_of(f)] for f in mine]
+               value_of(f["beta"], 3), interval(ends(f, "beta"), 3), f["low_points"]["five_percent_point"], f["low_points"]["hclpf"],
+               report.capacity(f["one_percent_point"]), flags_of(f)] for f in mine]
     split = [[f["body"], value_of(f["beta"], 3), value_of(f["beta_r"], 3), value_of(f["beta_u"], 3),
               ", ".join(f"{d['quantity']} {d['log_median_per_deviation']:+.3f} ± {d['standard_error']:.3f}"
                         for d in f["drawn"])] for f in mine if f["drawn"] and f["identifiable"]]
@@ -138,8 +137,7 @@ def curves(report, limit):
             *(report.figure(name + part, lambda path, shown=shown: fragility_figures.fragility(
                 report.results, shown, fits, stripes, what, path), f"probability of {what} against amplitude")
               for part, shown in in_pages(report.results.bodies, fragility_figures.MOST_ON_A_PAGE)),
-            table(f"fragility of {what}", ["body", "median", "interval", "beta", "interval", "5 % point", "interval", "HCLPF", "interval",
-                   "1 % point", "flags"], fitted, report.notes["variability"]),
+            table(f"fragility of {what}", ["body", "median", "interval", "beta", "interval", "5 % point", "HCLPF", "1 % point, estimate", "flags"], fitted, report.notes["variability"]),
             table("variability of waves and bodies", ["body", "beta", "beta_R (waves)", "beta_U (body)", "ln median per deviation of"], split)
             if split else "",
             table(f"P of {what} at stated levels", ["body", "at", "amplitude", "P", "lower", "upper", "remark"], quoted) if quoted else "",
