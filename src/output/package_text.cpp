@@ -156,6 +156,17 @@ std::vector<std::string> method_lines(CampaignSpec const& spec) {
     return lines;
 }
 
+namespace {
+
+// An amplitude that the body withstands, rounded down.
+std::string withstood_text(LevelSpec const& levels, double value) {
+    constexpr int capacity_digits = 4;
+    return fmt::format("{:.{}g} {}", rounded_down(levels.shown(value), capacity_digits), capacity_digits,
+                       levels.shown_units());
+}
+
+}  // namespace
+
 std::vector<std::string> hand_check_lines(CampaignSpec const& spec, std::span<HandCheck const> checks) {
     std::vector<std::string> lines;
     if (checks.empty()) {
@@ -172,12 +183,11 @@ std::vector<std::string> hand_check_lines(CampaignSpec const& spec, std::span<Ha
     }
     auto const slip = typed_units(spec).slip;
     for (auto const& check : checks) {
-        auto const level =
-            fmt::format("{:.4g} {}", spec.levels.shown(check.overturning_level), spec.levels.shown_units());
+        auto const level = withstood_text(spec.levels, check.overturning_level);
         auto text = fmt::format(
             "{}: {}overturns above {} {} (the spectrum at {:.3g} Hz, {:.3g} % damping; tilt {:.2f} alpha)", check.body,
             check.is_unsafe() ? fmt::format("unsafe, do not quote (half overturn at {} by simulation): ",
-                                            spec.levels.text(*check.simulated_median))
+                                            withstood_text(spec.levels, *check.simulated_median))
                               : std::string(),
             spec.levels.measure_label(), level, check.rocking.frequency_hz, 100 * check.rocking.damping,
             check.rocking.rotation_rad / spec.bodies[&check - checks.data()].body.alpha_rad());

@@ -207,6 +207,21 @@ TEST_F(Report, GivesTheSafeEndOfLowPointsFirst) {
         }
     }
     EXPECT_GE(told, 2);
+    // So does the calculation by hand beside the simulated median.
+    auto const four_digits_gal = [](nlohmann::json const& mps2) {
+        return fmt::format("{:g} gal", std::floor(1000 * mps2.get<double>()) / 10);
+    };
+    int checked = 0;
+    for (auto const& row : fitted.at("hand_check")) {
+        if (!row.at("simulated_median").is_null() && row.at("overturning_level") < 10) {
+            auto const cells =
+                fmt::format("<td class=short>{}</td><td class=short>{}</td>",
+                            four_digits_gal(row.at("overturning_level")), four_digits_gal(row.at("simulated_median")));
+            EXPECT_NE(page.find(cells), std::string::npos) << cells;
+            ++checked;
+        }
+    }
+    EXPECT_GE(checked, 1);
 }
 
 // what `fit` refuses of a hazard curve the page refuses, before any of it is drawn.

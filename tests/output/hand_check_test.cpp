@@ -77,5 +77,16 @@ TEST(HandCheck, SaysSoBeforeItsNumber) {
     EXPECT_TRUE(line(7).starts_with("type-b: overturns above ")) << line(7);
 }
 
+// both are levels that the body withstands: rounded down, whatever is nearest.
+TEST(HandCheck, RoundsLevelsDown) {
+    auto const spec = campaign();
+    auto check = checked_by(curve_with_median(5));
+    check.overturning_level = 5.99996;
+    check.simulated_median = 4.99996;
+    auto const line = output::hand_check_lines(spec, std::span(&check, 1)).back();
+    EXPECT_NE(line.find("half overturn at 4.999 m/s2 by"), std::string::npos) << line;
+    EXPECT_NE(line.find("overturns above pga 5.999 m/s2 ("), std::string::npos) << line;
+}
+
 }  // namespace
 }  // namespace overturn
