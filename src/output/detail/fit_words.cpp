@@ -61,10 +61,6 @@ std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
         fit.passing == Passing::exceeded ? "all trials that keep within it are" : "all trials that stand are",
         fit.passing == Passing::exceeded ? "exceed it" : "overturn",
         fit.passing == Passing::exceeded ? "exceed it" : "overturn", bracket_text(fit.isotonic_median, unit));
-    if (fit.penalised && (fit.waves == 0 || fit.waves >= least_waves)) {
-        text += fmt::format("; penalised (Firth) median {}, beta {:.3g}",
-                            unit.text(std::exp(fit.penalised->log_median())), fit.penalised->beta());
-    }
     if (fit.bound) {
         text += "; P there in " + interval_text(fit.bound->probability);
     }
