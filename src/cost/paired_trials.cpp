@@ -39,8 +39,8 @@ PairedTrials::PairedTrials(CampaignSpec const& spec, Plan const& plan, std::span
     }
 }
 
-std::optional<double> PairedTrials::log_median(std::size_t body, std::size_t limit,
-                                               std::span<double const> weights) const {
+std::vector<FragilityPoint> PairedTrials::points(std::size_t body, std::size_t limit,
+                                                 std::span<double const> weights) const {
     std::vector<FragilityPoint> points;
     for (auto const& [amplitude, bodies] : levels_) {
         FragilityPoint point;
@@ -54,6 +54,16 @@ std::optional<double> PairedTrials::log_median(std::size_t body, std::size_t lim
             points.push_back(point);
         }
     }
+    return points;
+}
+
+bool PairedTrials::is_separated(std::size_t body, std::size_t limit, std::span<double const> weights) const {
+    return state_of(points(body, limit, weights)) == FragilityState::separated;
+}
+
+std::optional<double> PairedTrials::log_median(std::size_t body, std::size_t limit,
+                                               std::span<double const> weights) const {
+    auto const points = this->points(body, limit, weights);
     auto const state = state_of(points);
     if (state == FragilityState::separated) {
         return separating_log_intensity(points);

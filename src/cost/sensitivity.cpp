@@ -151,7 +151,9 @@ void SensitivityRunner::compare(Sensitivity& study, std::size_t input, std::size
             for (std::size_t i = 0; i < ratios.size(); ++i) {
                 ratios[i] -= unmoved[i];
             }
-            if (!std::isnan(ratios.front())) {
+            std::vector<double> const once(numbers_.size(), 1.0);
+            shift.levels_too_coarse = before.is_separated(body, limit, once) || after.is_separated(body, limit, once);
+            if (!std::isnan(ratios.front()) && !shift.levels_too_coarse) {
                 constexpr double open = std::numeric_limits<double>::infinity();
                 auto const ends = middle_of(std::span(ratios).subspan(1), spec_.confidence, {-open, open});
                 if (std::isfinite(ends.lower) && std::isfinite(ends.upper)) {  // else too few waves identify a median
@@ -181,10 +183,11 @@ void SensitivityRunner::describe(Sensitivity& study, PairedTrials const& unmoved
         study.bodies.push_back(spec_.bodies[body].name);
         for (std::size_t limit = 0; limit < spec_.limits.size(); ++limit) {
             unmoved_.push_back(log_medians(unmoved, body, limit));
-            double const median = unmoved_.back().front();
+            bool const coarse = unmoved.is_separated(body, limit, std::vector<double>(numbers_.size(), 1.0));
+            double const median = coarse ? not_known : unmoved_.back().front();
             study.unmoved.push_back(
                 {body, limit, unmoved.counts(body, limit, {}),
-                 unmoved.design_basis() ? unmoved.counts(body, limit, unmoved.design_basis()) : Counts{},
+                 unmoved.design_basis() ? unmoved.counts(body, limit, unmoved.design_basis()) : Counts{}, coarse,
                  std::isnan(median) ? std::nullopt : std::optional(std::exp(median))});
         }
     }

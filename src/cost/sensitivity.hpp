@@ -41,9 +41,11 @@ struct Counts {
 
 /// A campaign with one input moved against the same waves without.
 struct Shift {
-    std::int64_t compared = 0;                ///< trials that both decide, at levels that both have
-    std::int64_t passed = 0, no_longer = 0;   ///< of them: newly passed, no longer passed
-    std::optional<double> median_ratio;       ///< moved over unmoved; none: too few waves identify both
+    std::int64_t compared = 0;               ///< trials that both decide, at levels that both have
+    std::int64_t passed = 0, no_longer = 0;  ///< of them: newly passed, no longer passed
+    /// Moved or not, at most one level has both outcomes: each median lies somewhere between two levels.
+    bool levels_too_coarse = false;
+    std::optional<double> median_ratio;  ///< moved over unmoved; none: coarse levels, or too few waves identify both
     std::optional<Interval> median_interval;  ///< of it, by resampled waves, the same for both; likewise
     Counts at_design_basis;
     std::int64_t design_passed = 0, design_no_longer = 0;  ///< waves by which that P differs
@@ -65,6 +67,7 @@ struct SensitivityRow {
 struct Unmoved {
     std::size_t body = 0, limit = 0;
     Counts all, at_design_basis;
+    bool levels_too_coarse = false;  ///< at most one level has both outcomes: no median
     std::optional<double> median;
 };
 

@@ -13,6 +13,8 @@ using output::stated_unit;
 using output::Table;
 using output::TableOf;
 
+constexpr auto* coarse_meaning = "1: no median, as at most one level has both outcomes (the levels are too far apart)";
+
 /// One input at one of its ends.
 struct MovedEnd {
     SensitivityRow const* row;
@@ -57,8 +59,10 @@ Table sensitivity_table(Sensitivity const& study) {
 Table unmoved_table(Sensitivity const& study) {
     TableOf<Unmoved> table({.name = "unmoved", .constants = {{"units", study.units}}}, study.unmoved);
     add_place(table, study, std::identity());
-    table.add("median", stated_unit(study.units), "median of the curve as the campaign stands",
-              std::mem_fn(&Unmoved::median));
+    table
+        .add("median", stated_unit(study.units), "median of the curve as the campaign stands",
+             std::mem_fn(&Unmoved::median))
+        .add("levels_too_coarse", "1", coarse_meaning, std::mem_fn(&Unmoved::levels_too_coarse));
     add_counts(table, "", "at all levels", std::mem_fn(&Unmoved::all));
     if (study.design_basis) {
         add_counts(table, "design_basis_", "at the design basis", std::mem_fn(&Unmoved::at_design_basis));
@@ -113,6 +117,8 @@ Table moved_table(Sensitivity const& study) {
                  }
                  return ratio;
              })
+        .add("levels_too_coarse", "1", coarse_meaning,
+             [](MovedEnd const& moved) { return moved.shift().levels_too_coarse; })
         .add("resolved", "1", "1: significant (the interval excludes no change)",
              [](MovedEnd const& moved) { return moved.shift().resolved(); })
         .add("compared", "1", "trials that both decide", [](MovedEnd const& moved) { return moved.shift().compared; })

@@ -18,6 +18,9 @@ std::string percent(double ratio) { return std::isinf(ratio) ? "inf" : fmt::form
 
 // "-8.1 % [-9.0, -7.2]"
 std::string median_text(Shift const& shift) {
+    if (shift.levels_too_coarse) {
+        return "not resolved: coarse levels";
+    }
     if (!shift.median_ratio) {
         return "not identified";
     }
@@ -59,8 +62,9 @@ void append_row(std::string& text, Sensitivity const& study, SensitivityRow cons
 }
 
 bool moves_nothing(SensitivityRow const& row) {
-    return std::ranges::all_of(
-        row.ends, [](auto const& end) { return end && end->flips() == 0 && end->median_ratio.value_or(1) == 1; });
+    return std::ranges::all_of(row.ends, [](auto const& end) {
+        return end && !end->levels_too_coarse && end->flips() == 0 && end->median_ratio.value_or(1) == 1;
+    });
 }
 
 // The significant change of a median that is the largest as a factor.
@@ -89,8 +93,13 @@ std::string largest_effect(Sensitivity const& study) {
             }
         }
     }
-    return text.empty() ? fmt::format("No assumed value changes a median significantly ({} waves).", study.waves)
+    bool const coarse = std::ranges::any_of(study.rows, [](SensitivityRow const& row) {
+        return std::ranges::any_of(row.ends, [](auto const& end) { return end && end->levels_too_coarse; });
+    });
+    text = text.empty() ? fmt::format("No assumed value changes a median significantly ({} waves).", study.waves)
                         : text + ".";
+    return text
+           + (coarse ? " Not resolved where levels are coarse: at most one has both outcomes. State more levels." : "");
 }
 
 std::string at_level(Sensitivity const& study, double value) {
@@ -114,7 +123,9 @@ std::string sensitivity_text(Sensitivity const& study) {
         study.design_basis ? ", P at the design basis (waves that change it, exact p value)" : ""));
     for (auto const& unmoved : study.unmoved) {
         text += fmt::format("\n{}, {}: median {}", study.bodies[unmoved.body], study.limits[unmoved.limit],
-                            unmoved.median ? at_level(study, *unmoved.median) : "-");
+                            unmoved.median              ? at_level(study, *unmoved.median)
+                            : unmoved.levels_too_coarse ? std::string("not resolved: coarse levels")
+                                                        : std::string("-"));
         if (study.design_basis) {
             text +=
                 fmt::format(", P {} at {}", share_text(unmoved.at_design_basis), at_level(study, *study.design_basis));

@@ -27,6 +27,9 @@ std::string keys_of(SensitivityJson const& row) {
 }
 
 std::string median_cell(SensitivityJson const& row) {
+    if (row.value("levels_too_coarse", false)) {
+        return "not resolved: coarse levels";
+    }
     if (row.at("median_ratio").is_null()) {
         return "&ndash;";
     }

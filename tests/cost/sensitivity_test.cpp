@@ -142,6 +142,35 @@ TEST_F(SensitivityOfUplift, MassHasNone) {
     EXPECT_NE(sensitivity_text(study()).find("No verdict changes with: bodies[0].mass.\n"), std::string::npos);
 }
 
+// Levels between which all waves change their verdict hold no median: neither "+0.0 %" nor an interval of no width.
+TEST_F(SensitivityOfUplift, IsNotResolvedByCoarseLevels) {
+    auto coarse = text;
+    std::string const levels = "[0.6, 0.8, 0.9, 1.1, 1.2, 1.4]";
+    coarse.replace(coarse.find(levels), levels.size(), "[0.01, 100]");
+    coarse.replace(coarse.find("value=1, "), 9, "value=0.01, ");
+    auto const found = study_sensitivity(input_from(coarse), 0, [](double, double) {});
+    ASSERT_FALSE(found.rows.empty());
+    for (auto const& row : found.rows) {
+        for (auto const& end : row.ends) {
+            if (row.limit == uplift && end) {
+                EXPECT_TRUE(end->levels_too_coarse);
+                EXPECT_FALSE(end->median_ratio.has_value());
+                EXPECT_FALSE(end->median_interval.has_value());
+                EXPECT_EQ(end->flips(), 0) << "as where nothing is moved";
+            }
+        }
+    }
+    EXPECT_FALSE(found.unmoved.at(uplift).median.has_value());
+    auto const told = sensitivity_text(found);
+    EXPECT_NE(told.find("median not resolved: coarse levels"), std::string::npos) << told;
+    EXPECT_NE(told.find("  not resolved: coarse levels"), std::string::npos) << told;
+    EXPECT_NE(told.find("State more levels."), std::string::npos) << told;
+    EXPECT_EQ(told.find("+0.0 %"), std::string::npos) << told;
+    // Of the first campaign's levels four have both outcomes.
+    EXPECT_EQ(sensitivity_text(study()).find("coarse levels"), std::string::npos);
+    EXPECT_FALSE(row("bodies[0].base_width").ends.front()->levels_too_coarse);
+}
+
 /// What moves the median most comes first, and every end is reported as it would be written.
 TEST_F(SensitivityOfUplift, IsReportedWithItsSize) {
     auto const json = output::json_of(sensitivity_tables(study()));

@@ -23,12 +23,17 @@ class PairedTrials {
     /// Every wave drawn as often as `weights` says. Nothing where that holds no curve; of separated data the step.
     [[nodiscard]] std::optional<double> log_median(std::size_t body, std::size_t limit,
                                                    std::span<double const> weights) const;
+    /// Are the levels too far apart for a median: at most one of them has both outcomes?
+    [[nodiscard]] bool is_separated(std::size_t body, std::size_t limit, std::span<double const> weights) const;
     [[nodiscard]] Counts counts(std::size_t body, std::size_t limit, std::optional<double> amplitude) const;
     /// Differences from `before`, except medians.
     [[nodiscard]] Shift shift_from(PairedTrials const& before, std::size_t body, std::size_t limit) const;
     [[nodiscard]] std::optional<double> design_basis() const { return design_basis_; }
 
   private:
+    [[nodiscard]] std::vector<FragilityPoint> points(std::size_t body, std::size_t limit,
+                                                     std::span<double const> weights) const;
+
     /// One body at one level: an entry per wave of the sample; undecided where it was not tried.
     using Stripe = std::vector<LimitOutcomes>;
     std::map<double, std::vector<Stripe>> levels_;  ///< by amplitude, then body

@@ -26,7 +26,8 @@ def add(report):
 
 def moved_row(row):
     ratio = row["median_ratio"]
-    change = "–" if ratio is None else f"{100 * (ratio - 1):+.1f} %" + ("" if row["resolved"] else ", not resolved")
+    coarse = row.get("levels_too_coarse")  # records of before have none
+    change = "not resolved: coarse levels" if coarse else "–" if ratio is None else f"{100 * (ratio - 1):+.1f} %" + ("" if row["resolved"] else ", not resolved")
     at_basis = row.get("design_basis_probability")
     return [", ".join(row["keys"]), row["value"], row["moved_to"], row["refused"] or change, value_of(at_basis, 3)]
 
