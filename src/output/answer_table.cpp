@@ -96,13 +96,14 @@ Table answer_table(Answered const& of) {
         .add("peak_rotation_p95", tilt, "95th percentile of it", rotation(Of::p95))
         .add("peak_rotation_p95_upper", tilt, "upper end of it; infinite: no limit, or overturned",
              rotation(Of::p95_upper))
-        .add("hclpf", level_unit(of.spec.levels), "HCLPF of the limit state; NaN: not known",
-             [](Row const& row) { return row.fit->hclpf(); })
-        .add("hclpf_lower", level_unit(of.spec.levels), "lower end of it",
+        .add("hclpf_lower", level_unit(of.spec.levels),
+             "HCLPF of the limit state, the lower end of its interval; NaN: not known",
              [=](Row const& row) -> std::optional<double> {
                  auto const ends = row.fit->identifiable() ? row.fit->intervals().hclpf : std::nullopt;
                  return ends ? std::optional(ends->lower) : std::nullopt;
              })
+        .add("hclpf", level_unit(of.spec.levels), "estimate of HCLPF; the safe value is hclpf_lower; NaN: not known",
+             [](Row const& row) { return row.fit->hclpf(); })
         .add("beta_u", "1", "beta_U by which HCLPF is known",
              [=](Row const& row) -> std::optional<double> {
                  return row.fit->hclpf() ? std::optional(row.fit->beta_u) : std::nullopt;

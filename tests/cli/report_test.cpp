@@ -189,6 +189,13 @@ TEST_F(Report, GivesTheSafeEndOfLowPointsFirst) {
     auto const ended = overturn(*folder, {"report", "many.h5", "-o", "many.html", "--beta-u", "0.3"});
     ASSERT_EQ(ended.code, 0) << ended.err;
     auto const fitted = nlohmann::json::parse(overturn(*folder, {"fit", "many.h5", "--beta-u", "0.3", "--json"}).out);
+    // In JSON too, table by table.
+    auto const ordered =
+        nlohmann::ordered_json::parse(overturn(*folder, {"fit", "many.h5", "--beta-u", "0.3", "--json"}).out);
+    for (auto const* table : {"answer", "fragility"}) {
+        auto const row = ordered.at(table).at(0).dump();
+        EXPECT_LT(row.find("\"hclpf_lower\""), row.find("\"hclpf\"")) << table;
+    }
     auto const page = folder->read("many.html");
     auto const gal = [](nlohmann::json const& mps2) {
         return fmt::format("{:g} gal", std::floor(100 * mps2.get<double>()));

@@ -48,18 +48,20 @@ void add_ends_by(TableOf<Curve>& table, std::string const& method, std::string c
 void add_low_points(TableOf<Curve>& table) {
     using Fit = FragilityFit;
     table
-        .add("five_percent_point", unit_of_row(),
-             "median exp(-1.645 beta); NaN: not identifiable, or the data contradict it",
-             if_fitted([](Fit const& fit) { return fit.five_percent_point(); }))
         .add("five_percent_point", unit_of_row(), "5 % point", if_fitted([](Fit const& fit) {
                  return fit.five_percent_point() ? std::optional(fit.intervals().five_percent_point) : std::nullopt;
              }))
-        .add("hclpf", unit_of_row(),
-             "median exp(-1.645 (beta_r + beta_u)); NaN: not identifiable, or beta_u is not known",
-             if_fitted([](Fit const& fit) { return fit.hclpf(); }))
+        .add("five_percent_point", unit_of_row(),
+             "estimate, median exp(-1.645 beta); the safe value is five_percent_point_lower; NaN: not identifiable",
+             if_fitted([](Fit const& fit) { return fit.five_percent_point(); }))
         .add("hclpf", unit_of_row(), "hclpf, waves resampled where bodies were drawn",
              if_fitted([](Fit const& fit) { return fit.hclpf() ? fit.intervals().hclpf : std::nullopt; }))
-        .add("one_percent_point", unit_of_row(), "median exp(-2.326 sqrt(beta_r^2 + beta_u^2)); NaN: as hclpf",
+        .add("hclpf", unit_of_row(),
+             "estimate, median exp(-1.645 (beta_r + beta_u)); the safe value is hclpf_lower; NaN: not identifiable, or "
+             "beta_u is not known",
+             if_fitted([](Fit const& fit) { return fit.hclpf(); }))
+        .add("one_percent_point", unit_of_row(),
+             "estimate, median exp(-2.326 sqrt(beta_r^2 + beta_u^2)); NaN: as hclpf",
              if_fitted([](Fit const& fit) { return fit.one_percent_point(); }));
     for (double const confidence : reported_confidences) {
         auto const percent = std::lround(100 * confidence);
@@ -85,7 +87,7 @@ void add_trial_columns(TableOf<Curve>& table, Passing passing) {
              [](Curve const& curve) { return curve.fit.undecided; })
         .add("waves", "1", "independent waves; NaN: not known",
              [](Curve const& curve) {
-                 bool const known = curve.fit.waves_known != WavesKnown::no;
+                 bool const known = curve.fit.waves_known == WavesKnown::yes;
                  return positive(known ? static_cast<double>(curve.fit.waves) : 0);
              })
         .add("lowest", unit_of_row(), "lowest intensity of the trials",
@@ -122,7 +124,8 @@ void add_curve_columns(TableOf<Curve>& table) {
              [](Curve const& curve) { return curve.fit.beta_u_drawn; });
     add_low_points(table);
     add_ends_by(table, "profile", "by profile likelihood, trials as independent", &Fit::profile);
-    add_ends_by(table, "bootstrap", "by bootstrap over waves", &Fit::bootstrap);
+    add_ends_by(table, "bootstrap", "by bootstrap over waves; NaN: trials alone at their levels, without waves",
+                &Fit::bootstrap);
     table.add("replicates", "1", "replicates of the bootstrap", [](Curve const& curve) { return curve.fit.replicates; })
         .add("replicates_without_curve", "1", "replicates without a curve",
              [](Curve const& curve) { return curve.fit.replicates_without_curve; });
