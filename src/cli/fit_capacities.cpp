@@ -33,7 +33,10 @@ std::string head_of(CapacityTable const& table) {
                             unit.text(table.capacities.front().intensity), unit.text(table.capacities.back().intensity),
                             not_reached(table));
     if (auto const moments = moments_of(table.capacities)) {
-        text += fmt::format("  moments: median {}, beta {:.4g} (n - 1)\n", unit.text(moments->median), moments->beta);
+        text +=
+            moments->beta == 0
+                ? fmt::format("  moments: all capacities equal {}: no spread\n", unit.text(moments->median))
+                : fmt::format("  moments: median {}, beta {:.4g} (n - 1)\n", unit.text(moments->median), moments->beta);
     }
     return text;
 }

@@ -149,6 +149,11 @@ FragilityFit::Intervals intervals_of(Interval median, Interval beta, Interval fi
     return ends;
 }
 
+void take_beta_u(FragilityFit& fit, FragilityRequest const& request) {
+    fit.beta_u = fit.beta_u_stated = request.beta_u;
+    fit.beta_u_known = request.beta_u > 0;
+}
+
 void raise_flags(FragilityFit& fit, std::size_t capacities) {
     fit.flags |= static_cast<std::int64_t>(capacities) < waves_enough_to_resample ? bit(FragilityFlag::few_waves) : 0;
     fit.flags |= fit.beta_u_known ? 0 : bit(FragilityFlag::no_beta_u);
@@ -168,6 +173,10 @@ std::optional<CapacityMoments> moments_of(std::span<Capacity const> capacities) 
     double mean = 0;
     for (auto const& capacity : capacities) {
         mean += std::log(capacity.intensity) / n;
+    }
+    auto const [lowest, highest] = std::ranges::minmax(capacities, {}, &Capacity::intensity);
+    if (lowest.intensity == highest.intensity) {  // else a mean's rounding is taken for a spread
+        return CapacityMoments{lowest.intensity, 0};
     }
     double squares = 0;
     for (auto const& capacity : capacities) {
@@ -256,6 +265,7 @@ FragilityFit fragility_of(std::span<Capacity const> capacities, FragilityRequest
     OVERTURN_EXPECT(!capacities.empty());
     if (std::ssize(capacities) < least_waves) {
         FragilityFit fit;
+        take_beta_u(fit, request);
         fit.state = FragilityState::few_waves;
         fit.passing = request.passing;
         fit.trials = static_cast<double>(capacities.size());
@@ -279,8 +289,7 @@ FragilityFit fragility_of(std::span<Capacity const> capacities, FragilityRequest
     fit.lowest = lowest.intensity;
     fit.highest = highest.intensity;
     fit.line = line;
-    fit.beta_u = fit.beta_u_stated = request.beta_u;
-    fit.beta_u_known = request.beta_u > 0;
+    take_beta_u(fit, request);
     double const five_percent = gsl_cdf_ugaussian_P(-hclpf_score);
     auto const c = request.confidence;
     fit.profile = intervals_of(profile_intensity(capacities, *line, 0.5, c), profile_beta(capacities, *line, c),

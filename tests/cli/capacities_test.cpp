@@ -99,6 +99,13 @@ TEST_F(Capacities, FewGiveNoCurveOrWideIntervals) {
     EXPECT_LE(nine["median_lower"].get<double>() / nine["median"].get<double>(), std::exp(-half) * (1 + 1e-6));
 }
 
+TEST_F(Capacities, ThatAreEqualHaveNoSpread) {
+    folder.write("equal.csv", "pga [g]\n0.3\n0.3\n0.3\n0.3\n0.3\n0.3\n0.3\n");
+    auto const text = overturn(folder, {"fit", "--capacities", "equal.csv"}).out;
+    EXPECT_NE(text.find("  moments: all capacities equal 0.3 g: no spread\n"), std::string::npos) << text;
+    EXPECT_EQ(text.find("e-1"), std::string::npos) << text;
+}
+
 TEST_F(Capacities, GiveAnAnnualFrequency) {
     folder.write("c.csv", published);
     folder.write("h.csv", "IM [g], annual_exceedance\n0.1,2e-3\n0.3,1e-4\n0.5,2.5e-5\n1.0,3e-6\n2.0,3e-7\n");

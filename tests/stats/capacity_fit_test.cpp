@@ -93,6 +93,30 @@ TEST(CapacityFit, IntervalsHoldTheTruth) {
     EXPECT_GE(beta, 90);
 }
 
+// A mean of equal logarithms is rounded: what is left of it is no spread.
+TEST(CapacityFit, EqualCapacitiesHaveNoSpread) {
+    for (double const value : {0.1, 0.3, 0.7, 611.3}) {
+        auto const moments = moments_of(tried_up_to(std::vector<double>(7, value), 1e3));
+        ASSERT_TRUE(moments);
+        EXPECT_EQ(moments->beta, 0);
+        EXPECT_EQ(moments->median, value);
+    }
+    EXPECT_GT(moments_of(tried_up_to({0.3, 0.3, 0.3, 0.3, 0.31}, 1))->beta, 0.01);
+}
+
+// what was stated of the body is known, however few the capacities.
+TEST(CapacityFit, OfTooFewKeepsTheStatedBetaU) {
+    FragilityRequest request;
+    request.beta_u = 0.3;
+    for (std::size_t const count : {std::size_t{3}, std::size_t{20}}) {
+        auto const fit = fragility_of(tried_up_to({example.begin(), example.begin() + count}, 4), request);
+        EXPECT_TRUE(fit.beta_u_known) << count;
+        EXPECT_EQ(fit.beta_u, 0.3) << count;
+        EXPECT_EQ(fit.beta_u_stated, 0.3) << count;
+    }
+    EXPECT_FALSE(fragility_of(tried_up_to({0.3, 0.4, 0.5}, 1), {}).beta_u_known);
+}
+
 TEST(CapacityFit, WhatHoldsNoCurveIsLeftToTheStripes) {
     EXPECT_FALSE(fit_capacities(std::vector<Capacity>{{1, true}, {1, true}, {2, false}}));
     EXPECT_FALSE(fit_capacities(std::vector<Capacity>{{1, true}, {2, false}}));
