@@ -41,13 +41,18 @@ struct ShareOfTrials {
 
 }  // namespace
 
-std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios) {
+std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios, std::optional<double> independent) {
     if (ratios.empty()) {
         return std::nullopt;
     }
     std::sort(ratios.begin(), ratios.end());
-    return RatioQuantiles{std::ssize(ratios),    ratios.front(),         quantile(ratios, 0.05), quantile(ratios, 0.25),
-                          quantile(ratios, 0.5), quantile(ratios, 0.75), quantile(ratios, 0.95), ratios.back()};
+    double const values = independent.value_or(static_cast<double>(ratios.size()));
+    auto const at = [&](double share) {
+        return values < static_cast<double>(fewest_for_quantile(share)) ? std::numeric_limits<double>::quiet_NaN()
+                                                                        : quantile(ratios, share);
+    };
+    return RatioQuantiles{std::ssize(ratios), ratios.front(), at(0.05),     at(0.25), at(0.5),
+                          at(0.75),           at(0.95),       ratios.back()};
 }
 
 CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double confidence, double group_size) {
@@ -108,9 +113,16 @@ CriterionStudy study_criterion(std::span<CriterionTrial const> trials, double co
         }
         return list;
     };
-    study.at_overturning = ratio_quantiles(std::move(overturned));
-    study.first_overturning = ratio_quantiles(values(&Wave::lowest_fall));
-    study.highest_standing = ratio_quantiles(values(&Wave::highest_stand));
+    auto const of_waves = [&](double Wave::*ratio) {
+        auto list = values(ratio);
+        auto const independent = static_cast<double>(list.size()) / group_size;
+        return ratio_quantiles(std::move(list), independent);
+    };
+    study.first_overturning = of_waves(&Wave::lowest_fall);
+    study.highest_standing = of_waves(&Wave::highest_stand);
+    study.at_overturning =
+        ratio_quantiles(std::move(overturned),
+                        study.first_overturning ? static_cast<double>(study.first_overturning->count) / group_size : 0);
     return study;
 }
 

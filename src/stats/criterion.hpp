@@ -34,7 +34,10 @@ struct RatioQuantiles {
     std::int64_t count = 0;
     double lowest = 0, p05 = 0, p25 = 0, median = 0, p75 = 0, p95 = 0, highest = 0;
 };
-[[nodiscard]] std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios);
+/// A percentile that needs more independent values than there are is NaN (fewest_for_quantile). \param independent so
+/// many of them; none: all \return nothing where there is none
+[[nodiscard]] std::optional<RatioQuantiles> ratio_quantiles(std::vector<double> ratios,
+                                                            std::optional<double> independent = {});
 
 /// In intervals of shares of trials those of one wave count as one: they may all end alike (Kish 1965).
 struct CriterionStudy {

@@ -81,12 +81,12 @@ TEST(CriterionWords, SafetyThatWasNotTriedIsOpen) {
 
 TEST(CriterionWords, FalseAlarmsAreWeighedByHalf) {
     auto body = judged(Safety::conservative);
-    body.criterion[0].study.first_overturning = RatioQuantiles{.p05 = 1.7, .median = 2.4};
+    body.criterion[0].study.first_overturning = RatioQuantiles{.lowest = 1.2, .p05 = 1.7, .median = 2.4};
     auto const open = words_on(body, 0.95).open;
     EXPECT_TRUE(holds(open,
                       "perhaps half of its alarms at these levels are false (too few trials): of 8 trials "
                       "predicted unsafe, 6 did not overturn (75 %; 95 %: 34.9 % to 96.9 %)"));
-    EXPECT_TRUE(holds(open, "first overturning of each wave: median 2.4, 5th percentile 1.7"));
+    EXPECT_TRUE(holds(open, "first overturning of each wave: lowest 1.2, 5th percentile 1.7, median 2.4"));
     body.verdict->false_alarms = Speaks::against;
     EXPECT_TRUE(holds(words_on(body, 0.95).against, "more than half of its alarms at these levels are false: of 8"));
     body.verdict->false_alarms = Speaks::in_favour;

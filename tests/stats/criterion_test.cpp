@@ -34,7 +34,7 @@ TEST(CriterionStudy, CountsTrialsAndWaves) {
     expect_share(study.stood_predicted_unsafe, 2, 5, 11.0 / 5);
     expect_share(study.waves_safe_but_overturned, 1, 3);
     EXPECT_EQ(study.at_overturning->count, 3);
-    EXPECT_EQ(study.at_overturning->median, 0.9);
+    EXPECT_TRUE(std::isnan(study.at_overturning->median)) << "of two waves";
     EXPECT_EQ(study.first_overturning->count, 2);
     EXPECT_EQ(study.first_overturning->lowest, 0.8);
     EXPECT_EQ(study.first_overturning->highest, 1.3);
@@ -91,6 +91,39 @@ TEST(CriterionStudy, TrialsOfOneWaveAreNotIndependent) {
     expect_share(of_waves.safe_but_overturned, 70, 1000, 10);
     EXPECT_EQ(of_waves.safe_but_overturned.interval.upper, of_waves.waves_safe_but_overturned.interval.upper);
     expect_share(study_criterion(single, 0.95).safe_but_overturned, 70, 1000);
+}
+
+// As everywhere (fewest_for_quantile): a median needs five values, 25 and 75 % no more, 5 and 95 % twenty.
+TEST(CriterionStudy, FewValuesHaveNoPercentiles) {
+    auto const of = [](std::size_t count, std::optional<double> independent = {}) {
+        std::vector<double> ratios(count);
+        for (std::size_t i = 0; i < count; ++i) {
+            ratios[i] = 1 + static_cast<double>(i);
+        }
+        return ratio_quantiles(std::move(ratios), independent).value();
+    };
+    auto const four = of(4);
+    EXPECT_TRUE(std::isnan(four.median) && std::isnan(four.p25) && std::isnan(four.p05));
+    EXPECT_EQ(four.lowest, 1);
+    EXPECT_EQ(four.highest, 4);
+    EXPECT_EQ(of(5).median, 3);
+    EXPECT_EQ(of(5).p75, 4);
+    EXPECT_TRUE(std::isnan(of(19).p05) && std::isnan(of(19).p95));
+    EXPECT_DOUBLE_EQ(of(20).p05, 1.95);
+    EXPECT_DOUBLE_EQ(of(20).p95, 19.05);
+    EXPECT_TRUE(std::isnan(of(20, 4).median)) << "of four waves";
+
+    // Twenty trials of four waves are four.
+    std::vector<CriterionTrial> trials;
+    for (std::int64_t wave = 0; wave < 4; ++wave) {
+        for (int level = 0; level < 5; ++level) {
+            trials.push_back({.ratio = 1 + 0.1 * level, .wave = wave, .overturned = true});
+        }
+    }
+    auto const study = study_criterion(trials, 0.95);
+    EXPECT_EQ(study.at_overturning->count, 20);
+    EXPECT_TRUE(std::isnan(study.at_overturning->p05));
+    EXPECT_TRUE(std::isnan(study.first_overturning->median));
 }
 
 TEST(CriterionStudy, NothingOverturnedHasNoQuantiles) {

@@ -6,6 +6,7 @@
 
 #include "output/detail/criterion_words.hpp"
 #include "output/detail/interval_text.hpp"
+#include "output/detail/ratio_columns.hpp"
 
 namespace overturn::output {
 namespace {
@@ -30,8 +31,8 @@ std::string criterion_text(MeasuredCriterion const& criterion) {
     text += share_line("false alarm", s.unsafe_but_stood);
     if (s.at_overturning) {
         auto const line = [](char const* what, RatioQuantiles const& q) {
-            return fmt::format("    ratio {}: lowest {:.3g}, 5 % {:.3g}, median {:.3g}, 95 % {:.3g} ({})\n", what,
-                               q.lowest, q.p05, q.median, q.p95, q.count);
+            return fmt::format("    ratio {}: lowest {:.3g}, 5 % {}, median {}, 95 % {} ({})\n", what, q.lowest,
+                               percentile_text(q.p05), percentile_text(q.median), percentile_text(q.p95), q.count);
         };
         text += line("at overturning, trials", *s.at_overturning);
         text += line("at the first overturning, waves", *s.first_overturning);
@@ -44,7 +45,9 @@ std::string response_text(std::vector<ResponseBin> const& bins) {
         return {};
     }
     auto const spread = [](std::optional<RatioQuantiles> const& q) {
-        return q ? fmt::format("{:.3f} {:.3f} {:.3f} ({})", q->p05, q->median, q->p95, q->count) : std::string("-");
+        return q ? fmt::format("{} {} {} ({})", percentile_text(q->p05, 'f'), percentile_text(q->median, 'f'),
+                               percentile_text(q->p95, 'f'), q->count)
+                 : std::string("-");
     };
     auto text = fmt::format(
         "  V_resp / V_Ereq of trials that moved but did not overturn: 5th, 50th, 95th percentile (trials)\n  {:>16} "

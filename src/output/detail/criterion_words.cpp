@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "core/outward.hpp"
+#include "output/detail/ratio_columns.hpp"
 
 namespace overturn::output {
 namespace {
@@ -84,8 +85,9 @@ void say_false_alarms(CriterionWords& words, Speaks speaks, CriterionStudy const
             100 * confidence, ends(price)));
     if (study.first_overturning) {
         words.open.push_back(fmt::format(
-            "margin: V_WES / V_Ereq at the first overturning of each wave: median {:.3g}, 5th percentile {:.3g}",
-            study.first_overturning->median, study.first_overturning->p05));
+            "margin: V_WES / V_Ereq at the first overturning of each wave: lowest {:.3g}, 5th percentile {}, median {}",
+            study.first_overturning->lowest, percentile_text(study.first_overturning->p05),
+            percentile_text(study.first_overturning->median)));
     }
 }
 

@@ -5,6 +5,8 @@
 #include <optional>
 #include <string>
 
+#include <fmt/format.h>
+
 #include "output/table.hpp"
 #include "stats/criterion.hpp"
 
@@ -26,6 +28,14 @@ void add_share(TableOf<Row>& table, std::string const& name, std::string const& 
         .add(name + "_count", "1", "count of " + name, [get](Row const& row) { return get(row).count; })
         .add(name + "_of", "1", "number of trials or waves that it is a share of",
              [get](Row const& row) { return get(row).of; });
+}
+
+/// "0.93"; "not known" of too few values. \param form 'g', or 'f' in a table, where "-" stands for it
+[[nodiscard]] inline std::string percentile_text(double value, char form = 'g') {
+    bool const in_table = form == 'f';
+    return std::isnan(value) ? in_table ? "-" : "not known"
+           : in_table        ? fmt::format("{:.3f}", value)
+                             : fmt::format("{:.3g}", value);
 }
 
 /// Percentiles of a ratio: name_count, name_lowest, name_p05 to name_p95, name_highest. `get(row)` is a RatioQuantiles
