@@ -51,6 +51,7 @@ double design_basis_of(std::string const& text, StripeTable const& table) {
 }
 
 // Waves by their names; else as stated; else no more than the fullest level has, where levels have several trials each.
+// Of trials alone at their levels nothing says how many: no fewer than a curve needs.
 FragilityData data_of(StripeTable const& table, FitOptions const& options) {
     auto data = FragilityData::of_stripes(table.stripes);
     if (!table.trials.empty()) {
@@ -68,11 +69,12 @@ FragilityData data_of(StripeTable const& table, FitOptions const& options) {
              "--waves: {} (the table has {} trials, {} of them at one level). State a number from {} to {}",
              options.waves.value_or(0), trials, most, most, trials);
     bool const alone = trials < 2 * std::ssize(table.stripes);
-    data.fewest_waves = options.waves.value_or(alone ? trials : most);
+    auto const fewest = alone ? std::min(trials, std::max(most, least_waves)) : most;
+    data.fewest_waves = options.waves.value_or(fewest);
     data.waves_shared = data.fewest_waves < trials;
-    data.waves_known = data.waves_shared ? WavesKnown::no
-                       : options.waves   ? WavesKnown::yes
-                                         : WavesKnown::taken_as_different;
+    data.waves_known = !data.waves_shared        ? WavesKnown::yes
+                       : alone && !options.waves ? WavesKnown::number_unknown
+                                                 : WavesKnown::no;
     return data;
 }
 

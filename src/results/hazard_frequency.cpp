@@ -58,7 +58,8 @@ Interval interval_of_fit(FragilityFit const& fit, Beside const& beside, HazardCu
         ends = hull(ends, refits.empty() ? Interval{0, all_motions(hazard, tried)}
                                          : interval_of(refits, beside, hazard, tried, confidence));
     }
-    if (has(fit.flags, FragilityFlag::few_waves) || fit.waves_known == WavesKnown::no) {  // refits scatter too little
+    if (has(fit.flags, FragilityFlag::few_waves) || fit.waves_known != WavesKnown::yes
+        || !fit.bootstrap) {  // refits scatter too little
         auto const& [median, beta, five, hclpf] = fit.intervals();
         bool const open = median.lower <= 0 || !std::isfinite(beta.upper);
         double const most =

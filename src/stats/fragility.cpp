@@ -37,7 +37,7 @@ void describe(FragilityFit& fit, FragilityData const& data, FragilityRequest con
     raise_if(fit, data.waves_left_out, FragilityFlag::waves_left_out);
     raise_if(fit, fit.waves > 0 && fit.waves < waves_enough_to_resample, FragilityFlag::few_waves);
     using enum FragilityFit::Method;
-    bool const few = has(fit.flags, FragilityFlag::few_waves) || data.waves_known == WavesKnown::no
+    bool const few = has(fit.flags, FragilityFlag::few_waves) || data.waves_known != WavesKnown::yes
                      || is_nested(data, request, fit.waves);
     fit.method = !data.waves_shared ? profile_likelihood : few ? widest : bootstrap_by_waves;
     raise_if(fit, fit.overturned == 1 && fit.trials > 1, FragilityFlag::one_overturned);
@@ -102,7 +102,9 @@ void fit_line(FragilityFit& fit, FragilityData const& data, FragilityRequest con
     }
     fit.line = curve.line;
     fit.profile = curve.profile;
-    fit.bootstrap = curve.bootstrap;
+    if (curve.resampled) {
+        fit.bootstrap = curve.bootstrap;
+    }
     fit.ends = ends;
     fit.replicates = curve.refits.size();
     fit.refits = curve.refits.replicates();

@@ -48,8 +48,8 @@ using FragilityFlags = std::uint32_t;
 /// Is it known which trials are of one wave?
 enum class WavesKnown : std::uint8_t {
     yes,
-    taken_as_different,  ///< each trial is taken as of a wave of its own
-    no,                  ///< all levels may have the same waves
+    number_unknown,  ///< trials alone at their levels: not even how many waves there are
+    no,              ///< all levels may have the same waves
 };
 
 /// The trials as stripes or one by one. With `trials` the bootstrap resamples their waves, without it every trial
@@ -168,7 +168,9 @@ struct FragilityFit {
         Interval median, beta, five_percent_point;
         std::optional<Interval> hclpf;  ///< nothing without a beta_U
     };
-    std::optional<Intervals> profile, bootstrap;  ///< of the decided trials
+    /// Of the decided trials. No bootstrap of trials alone at their levels, without waves: it would scatter with
+    /// nothing.
+    std::optional<Intervals> profile, bootstrap;
     std::optional<Intervals> ends;  ///< to be signed: of `method`, with undecided trials as either extreme
     /// Trials that share waves are resampled with them. Of few waves that gives short intervals: the profile
     /// likelihood, and so many exact capacities, widen them; likewise where the waves are not known.

@@ -271,6 +271,36 @@ TEST_F(Fit, BadTablesAreRefusedWhereTheyAreWrong) {
     EXPECT_EQ(overturn(folder, {"fit", "--stripes", "none.csv"}).code, 2);
 }
 
+// nothing says of how many waves trials alone at their levels are: as few as a curve needs, unless it is stated.
+TEST_F(Fit, TrialsAloneAtTheirLevelsMayBeOfFiveWaves) {
+    std::string rows = "pga [g],overturned\n";
+    for (int i = 0; i < 40; ++i) {
+        rows += fmt::format("{:.3f},{}\n", 0.2 + 0.02 * i, i > 28 || (i > 8 && i % 2 == 0) ? 1 : 0);
+    }
+    folder.write("alone.csv", rows);
+    auto const of = [&](std::vector<std::string> const& more) {
+        std::vector<std::string> arguments{"fit", "--stripes", "alone.csv", "--json"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        auto const ended = overturn(folder, arguments);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return json::parse(ended.out);
+    };
+    auto const unstated = of({});
+    auto const stated = of({"--waves", "40"});
+    auto const& row = unstated["fragility"][0];
+    ASSERT_EQ(row["state"], "fitted");
+    EXPECT_EQ(row["interval_method"], "widest");
+    EXPECT_TRUE(row["waves"].is_null());
+    EXPECT_TRUE(row["bootstrap_median_lower"].is_null()) << "resampling one trial a level changes nothing";
+    EXPECT_LT(row["five_percent_point_lower"], 0.8 * stated["fragility"][0]["five_percent_point_lower"].get<double>());
+    EXPECT_EQ(stated["fragility"][0]["interval_method"], "profile-likelihood");
+    EXPECT_EQ(stated["fragility"][0]["waves"], 40);
+    auto const words = unstated["warnings"].dump();
+    EXPECT_NE(words.find("these 40 trials may be of 5 alone"), std::string::npos) << words;
+    EXPECT_NE(words.find("(--waves)"), std::string::npos) << words;
+    EXPECT_EQ(stated["warnings"].dump().find("not named"), std::string::npos);
+}
+
 /// From a results file: a curve per body and measure, the criterion of both measures, a verdict in words.
 TEST_F(Fit, ResultsFile) {
     folder.write("target.csv", target_csv);

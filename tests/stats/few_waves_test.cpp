@@ -1,9 +1,11 @@
 // Requirement R-703: curves of few waves: none below five, intervals no shorter than any theory gives them, no HCLPF
 // that is not limited from below.
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
 
+#include <fmt/format.h>
 #include <gsl/gsl_cdf.h>
 #include <gsl/gsl_randist.h>
 #include <gtest/gtest.h>
@@ -118,6 +120,61 @@ TEST(FewWaves, IntervalsHoldWhereAllLevelsMayHaveTheSameWaves) {
     EXPECT_GE(median, 0.9 * campaigns);
     EXPECT_GE(five_percent, 0.9 * campaigns);
     EXPECT_LT(alone, 0.8 * campaigns) << "the control: taken as independent";
+}
+
+// Seven waves, each swept over nine levels of its own, in a table that does not name them: 63 trials are seven samples.
+TEST(FewWaves, UnnamedTrialsAloneAtTheirLevelsHoldTheFivePercentPoint) {
+    constexpr int waves = 7, levels = 9, campaigns = 60;
+    constexpr double beta = 0.4;
+    double const truth = std::exp(-1.645 * beta);
+    struct Missed {
+        int five_percent = 0, median = 0, fitted = 0;
+    };
+    auto const missed = [&](WavesKnown known, std::int64_t fewest) {
+        Missed missed;
+        for (int campaign = 0; campaign < campaigns; ++campaign) {
+            std::vector<Stripe> stripes;
+            for (std::uint64_t wave = 0; wave < waves; ++wave) {
+                RandomStream stream(7097 + campaign, wave, Purpose::bootstrap);
+                double const capacity = std::exp(gsl_ran_gaussian(stream.gsl(), beta));
+                double const scale = 0.9 + 0.2 * gsl_rng_uniform(stream.gsl());
+                for (int level = 0; level < levels; ++level) {
+                    double const amplitude = scale * (0.3 + 0.2 * level);
+                    stripes.push_back(
+                        {.amplitude = amplitude, .trials = 1, .overturned = capacity <= amplitude ? 1 : 0});
+                }
+            }
+            std::ranges::sort(stripes, {}, &Stripe::amplitude);
+            auto data = FragilityData::of_stripes(stripes);
+            data.waves_known = known;
+            data.fewest_waves = fewest;
+            data.waves_shared = fewest < waves * levels;
+            FragilityRequest request;
+            request.bootstrap.replicates = 20;
+            auto const fit = fit_fragility(data, request);
+            if (fit.identifiable()) {
+                EXPECT_FALSE(fit.bootstrap.has_value()) << "resampling one trial a level changes nothing";
+                auto const& ends = fit.intervals();
+                ++missed.fitted;
+                missed.five_percent += ends.five_percent_point.lower > truth ? 1 : 0;
+                missed.median += ends.median.lower > 1 || ends.median.upper < 1 ? 1 : 0;
+            }
+        }
+        return missed;
+    };
+    auto const unknown = missed(WavesKnown::number_unknown, least_waves);
+    ASSERT_GE(unknown.fitted, 0.9 * campaigns);
+    EXPECT_LE(unknown.five_percent, 0.05 * campaigns);
+    EXPECT_LE(unknown.median, 0.1 * campaigns);
+    auto const stated = missed(WavesKnown::no, waves);
+    EXPECT_LE(stated.five_percent, 0.05 * campaigns);
+    EXPECT_LE(stated.median, 0.1 * campaigns);
+    auto const taken_as_different = missed(WavesKnown::yes, waves * levels);
+    EXPECT_GT(taken_as_different.five_percent, 0.1 * campaigns) << "the control: 63 independent trials";
+    EXPECT_GT(taken_as_different.median, 0.2 * campaigns) << "the control: 63 independent trials";
+    RecordProperty("five_percent",
+                   fmt::format("{} {} {}", unknown.five_percent, stated.five_percent, taken_as_different.five_percent));
+    RecordProperty("median", fmt::format("{} {} {}", unknown.median, stated.median, taken_as_different.median));
 }
 
 // Where few of the waves fall, resampling them gives too high a lower end of the 5 % point: it has to hold still.

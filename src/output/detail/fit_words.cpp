@@ -145,12 +145,15 @@ std::string doubtful_text(FragilityFit const& fit, IntensityUnit const& unit, do
 
 // Where nobody says which trials are of one wave.
 std::string waves_text(FragilityFit const& fit) {
-    return fit.waves_known == WavesKnown::no
+    return fit.waves_known == WavesKnown::number_unknown
                ? fmt::format(
+                   "the waves are not named: these {:g} trials may be of {} alone. The intervals are widened for that. "
+                   "Add a column 'wave', or state how many different waves there are (--waves)",
+                   fit.trials, fit.waves)
+               : fmt::format(
                    "the waves are not named: all levels may have the same {}. The intervals are widened for "
                    "that. Add a column 'wave', or state how many different waves there are (--waves)",
-                   fit.waves)
-               : "the waves are not named: each trial counts as of another one. If not, add a column 'wave'";
+                   fit.waves);
 }
 
 }  // namespace
@@ -208,7 +211,7 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
                fmt::format("{:g} trials have no verdict and are left out of the curve{}", fit.undecided,
                            fit.identifiable() ? "; its intervals include both extremes (all stood, all fell)" : ""));
     }
-    if (fit.identifiable()) {  // without a curve nothing is resampled
+    if (fit.identifiable() && fit.waves_known == WavesKnown::yes) {  // without a curve nothing is resampled
         add_if(FragilityFlag::few_waves,
                fmt::format("only {} {}{}", fit.waves, fit.group_size > 1 ? "groups of waves" : "waves",
                            fit.method == FragilityFit::Method::widest ? ": the intervals are widened for so few" : ""));

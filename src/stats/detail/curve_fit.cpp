@@ -158,14 +158,16 @@ CurveAttempt fit_curve(FragilityData const& data, FragilityRequest const& reques
     double const five_percent = gsl_cdf_ugaussian_P(-hclpf_score);
     auto const waves = trials.empty() ? data.fewest_waves : waves_of(trials);
     double const resampled = trials.empty() ? request.confidence : resampled_confidence(request.confidence, waves);
-    CurveFit fit{*line, profile, std::move(refits), {}, {}, {}, {}, {}, resampled};
+    bool const resamples = !trials.empty() || sum_of(points).trials >= 2 * static_cast<double>(points.size());
+    CurveFit fit{*line, profile, std::move(refits), {}, {}, {}, {}, {}, resamples, resampled};
     fit.profile = {profile.intensity(0.5), profile.beta(), profile.intensity(five_percent), std::nullopt};
     fit.bootstrap = {fit.refits.intensity(0.5, resampled), fit.refits.beta(resampled),
                      fit.refits.intensity(five_percent, resampled), std::nullopt};
     if (waves > 1 && (waves < waves_enough_to_resample || trials.empty())) {
         fit.few.emplace(*line, waves, request.confidence);
     }
-    if (is_nested(data, request, waves)) {
+    // Of trials alone at their levels no running share says where a capacity lies.
+    if (is_nested(data, request, waves) && resamples) {
         fit.nested.emplace(trials.empty() ? ranges_of(points, static_cast<double>(waves)) : ranges_of(trials), *line,
                            request.confidence);
     }

@@ -23,6 +23,7 @@ struct CurveFit {
     /// By the range of each wave's capacity, where waves have several trials.
     std::optional<NestedCapacities> nested = {};
     std::optional<FragilityFit::Intervals> of_capacities = {};  ///< the hull of both
+    bool resampled = true;               ///< false: no stripe has two trials, so that resampling one changes nothing
     double resampled_confidence = 0.95;  ///< at which resamples are read for the stated one (stats/bootstrap.hpp)
 
     [[nodiscard]] FragilityFit::Intervals ends(FragilityFit::Method method) const;
