@@ -105,7 +105,9 @@ std::vector<Table> frequency_tables(std::string const& units, std::span<BodyFreq
              [](Row const& row) { return row.ends(); })
         .add("extrapolated", "1/a", "of the mean: by motions outside of the levels or of the hazard curve",
              [](Row const& row) { return row.mean ? std::optional(row.extrapolated()) : std::nullopt; })
-        .add("continued", "1/a", "estimate of the mean with the hazard curve continued at its slopes at both ends",
+        .add("continued", "1/a",
+             "estimate of the mean with the hazard curve continued at its slopes at both ends, up to one weaker motion "
+             "a year",
              [](Row const& row) { return row.mean ? std::optional(row.continued) : std::nullopt; })
         .add("above_levels_most", "1/a",
              "of the upper end: motions above the highest level or the hazard curve's end, counted as failing",

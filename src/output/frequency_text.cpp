@@ -34,10 +34,10 @@ void add_parts(std::vector<std::string>& notes, BodyFrequency const& f, HazardCu
                         b.below_most, hazard_text(hazard, f.lowest)));
     }
     if (b.weaker_most > much * f.interval.upper) {
-        notes.push_back(
-            fmt::format("the upper end counts motions below {}, where the hazard curve begins, by its steepest slope "
-                        "there: {:.3g} a year by the fitted curve. State the hazard curve from lower on",
-                        hazard_text(hazard, hazard.first()), b.weaker_most));
+        notes.push_back(fmt::format(
+            "the upper end counts motions below {}, where the hazard curve begins, by its steepest slope "
+            "there, no more than one a year: {:.3g} a year by the fitted curve. State the hazard curve from lower on",
+            hazard_text(hazard, hazard.first()), b.weaker_most));
     }
 }
 
@@ -49,7 +49,8 @@ void add_mean(std::vector<std::string>& notes, BodyFrequency const& f, HazardCur
     }
     if (f.continued > (1 + much) * mean_of(f)) {
         notes.push_back(
-            fmt::format("with the hazard curve continued at its slopes at both ends the curve gives {:.3g} a "
+            fmt::format("with the hazard curve continued at its slopes at both ends, up to one weaker motion a year, "
+                        "the curve gives {:.3g} a "
                         "year (an estimate)",
                         f.continued));
     }

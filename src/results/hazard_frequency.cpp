@@ -118,7 +118,7 @@ void add_curve(BodyFrequency& made, LognormalFragility const& mean, HazardCurve 
                TriedRange const& tried) {
     made.mean = annual_frequency(hazard, mean);
     made.bounds = frequency_bounds(hazard, mean, tried);
-    made.continued = continued_frequency(hazard, mean);
+    made.continued = continued_frequency(hazard, mean, weaker_motions(hazard));
     made.wide = widest_piece(hazard, mean);
 }
 

@@ -94,7 +94,8 @@ FrequencyBounds frequency_bounds(HazardCurve const& hazard, LognormalFragility c
     double const start = std::max(hazard.first(), std::min(tried.nothing_below, bottom));
     bounds.below_most =
         fragility.probability(bottom) * (hazard.annual_exceedance(start) - hazard.annual_exceedance(bottom));
-    bounds.weaker_most = weaker(hazard, fragility, tried.nothing_below, weak_slope(hazard));
+    bounds.weaker_most =
+        std::min(weaker(hazard, fragility, tried.nothing_below, weak_slope(hazard)), weaker_motions(hazard));
     return bounds;
 }
 
@@ -115,9 +116,14 @@ HazardCurve from_lower_on(HazardCurve const& hazard, TriedRange const& tried, bo
     return HazardCurve(std::move(points), hazard.stated(), hazard.remarks());
 }
 
-double continued_frequency(HazardCurve const& hazard, LognormalFragility const& fragility) {
+double weaker_motions(HazardCurve const& hazard) {
+    double const first = hazard.points()[0].annual_exceedance;
+    return std::max(1 - first, first);
+}
+
+double continued_frequency(HazardCurve const& hazard, LognormalFragility const& fragility, double most_weaker) {
     double const first_slope = slope_between(hazard.points()[0], hazard.points()[1]);
-    return weaker(hazard, fragility, 0, first_slope) + annual_frequency(hazard, fragility).annual
+    return std::min(weaker(hazard, fragility, 0, first_slope), most_weaker) + annual_frequency(hazard, fragility).annual
            + stronger(hazard, fragility);
 }
 

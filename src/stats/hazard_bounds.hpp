@@ -1,6 +1,7 @@
 /// Bounds on the annual frequency where a fragility curve or a hazard curve ends.
 #pragma once
 
+#include <limits>
 #include <optional>
 
 #include "stats/hazard.hpp"
@@ -23,7 +24,7 @@ struct FrequencyBounds {
     /// Below the lowest level, on the hazard curve: never, or as often as at the lowest level.
     double below_most = 0;
     /// Weaker than the hazard curve's first point: by the curve, with the hazard continued at its steepest slope there.
-    /// Hazard curves flatten towards weak motions, so that there are fewer.
+    /// Hazard curves flatten towards weak motions, so that there are fewer; no more than `weaker_motions`.
     double weaker_most = 0;
 
     [[nodiscard]] double least() const { return within + above_least; }
@@ -39,8 +40,15 @@ struct FrequencyBounds {
 /// `lowest` if that is weaker. As it is where there is nothing to add.
 [[nodiscard]] HazardCurve from_lower_on(HazardCurve const& hazard, TriedRange const& tried, bool always = false);
 
-/// The integral with the hazard curve continued beyond both ends at the slopes it has there: an estimate [1/a].
-[[nodiscard]] double continued_frequency(HazardCurve const& hazard, LognormalFragility const& fragility);
+/// Motions weaker than the first point that are counted at most, down to the one exceeded once a year; as many as
+/// exceed that point where these are more. A power law has motions without end towards 0, and a wide curve lets them
+/// all pass (exp(k^2 beta^2 / 2) times as many: Cornell 1996), where no hazard curve holds any [1/a].
+[[nodiscard]] double weaker_motions(HazardCurve const& hazard);
+
+/// The integral with the hazard curve continued beyond both ends at the slopes it has there: an estimate [1/a]. \param
+/// most_weaker of weaker motions than its first point
+[[nodiscard]] double continued_frequency(HazardCurve const& hazard, LognormalFragility const& fragility,
+                                         double most_weaker = std::numeric_limits<double>::infinity());
 
 /// Effect of a straight line between two points of the hazard curve that lie far apart.
 struct WidePiece {

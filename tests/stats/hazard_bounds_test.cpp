@@ -25,6 +25,23 @@ TEST(FrequencyBounds, ContinuedPowerLawIsTheClosedForm) {
     EXPECT_NEAR(continued_frequency(flat, {0.05, 0.1}), bounded.annual + bounded.beyond_least, 1e-12);
 }
 
+// A wide curve lets the endless weak motions of a power law pass: exp(k^2 beta^2 / 2) is 6.6e7 of slope 3 and beta 2.
+// No more of them count than down to the one that is exceeded once a year.
+TEST(FrequencyBounds, NoMoreThanAMotionAYearIsAdded) {
+    LognormalFragility const wide{2, 2};
+    double const endless = continued_frequency(of_two, wide);
+    ASSERT_GT(endless, 1e3);
+    EXPECT_DOUBLE_EQ(weaker_motions(of_two), 1 - 8e-3);
+    auto const bounds = frequency_bounds(of_two, wide, {1, 4, 0});
+    EXPECT_DOUBLE_EQ(bounds.weaker_most, 1 - 8e-3);
+    EXPECT_LE(bounds.most(), 1);
+    EXPECT_LE(continued_frequency(of_two, wide, weaker_motions(of_two)), 1);
+    // A usual curve keeps its own integral, below that.
+    LognormalFragility const usual{2, 0.4};
+    EXPECT_EQ(continued_frequency(of_two, usual, weaker_motions(of_two)), continued_frequency(of_two, usual));
+    EXPECT_DOUBLE_EQ(weaker_motions(HazardCurve({{0.5, 5}, {4, 1e-3}})), 5) << "of a curve that begins above";
+}
+
 // A step between the levels is known to pass as often as it is exceeded, whatever lies outside.
 TEST(FrequencyBounds, AStepWithinTheLevelsIsKnown) {
     auto const bounds = frequency_bounds(of_two, {2, 0}, {1, 3, 0});
