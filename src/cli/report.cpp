@@ -46,6 +46,7 @@
 #include "results/recount.hpp"
 #include "results/stored_names.hpp"
 #include "results/telling_trials.hpp"
+#include "stats/quantile.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::cli {
@@ -159,6 +160,8 @@ void add_words(output::Answered const& of, Json& data) {
     data["low_points"] = output::low_points(of);
     data["cut_short"] = output::cut_short_lines(of);
     data["notes"] = output::page_notes(of);
+    data["fewest_values"] = {
+        {"median", fewest_for_quantile(0.5)}, {"p84", fewest_for_quantile(0.84)}, {"p95", fewest_for_quantile(0.95)}};
     auto const& levels = of.spec.levels;
     data["levels_unit"] = {{"symbol", levels.shown_units()}, {"si", 1 / levels.shown(1)}};
 }

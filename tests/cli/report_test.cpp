@@ -177,6 +177,38 @@ TEST_F(Report, ShowsAnnualFrequenciesByAHazardCurve) {
     EXPECT_EQ(folder->read("g.html").find("times a year"), std::string::npos);
 }
 
+// how many waves a percentile needs is the program's rule: of six there is a median, and no 84 or 95 %.
+TEST_F(Report, GivesNoPercentileOfFewWaves) {
+    skip_without_packages();
+    if (IsSkipped()) {
+        return;
+    }
+    auto const cells_of = [](std::string const& file, char const* waves) {
+        auto const ran =
+            overturn(*folder, {"run", "c.toml", "-o", file + ".h5", "--set", std::string("waves.count=") + waves,
+                               "--set", "levels.values=['600 gal']", "--set", "levels.design_basis='600 gal'"});
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        EXPECT_EQ(overturn(*folder, {"report", file + ".h5", "-o", file + ".html"}).code, 0);
+        auto const page = folder->read(file + ".html");
+        auto const section = page.find("<section id=\"responses\">");
+        auto const row = page.find("<tbody>", section);
+        EXPECT_NE(section, std::string::npos);
+        std::vector<std::string> cells;
+        for (auto at = row; cells.size() < 4;) {
+            at = page.find('>', page.find("<td", at)) + 1;
+            cells.push_back(page.substr(at, page.find('<', at) - at));
+        }
+        return cells;
+    };
+    auto const six = cells_of("six", "6");
+    EXPECT_NE(six[1].substr(0, 3), "–") << "the median";
+    EXPECT_EQ(six[2].substr(0, 3), "–") << "84 %, which needs seven";
+    EXPECT_EQ(six[3].substr(0, 3), "–") << "95 %, which needs twenty";
+    auto const seven = cells_of("seven", "7");
+    EXPECT_NE(seven[2].substr(0, 3), "–");
+    EXPECT_EQ(seven[3].substr(0, 3), "–");
+}
+
 // of HCLPF and the 5 % point the safe end comes first, in the table and in words, and no estimate stands alone.
 TEST_F(Report, GivesTheSafeEndOfLowPointsFirst) {
     skip_without_packages();

@@ -7,6 +7,7 @@ Data: file, figures, cover, fit, facts, method, checks, headlines, notes, waves,
 the page's."""
 
 import csv
+import functools
 import os
 
 from . import (assumption_sections, body_figure, check_sections, cover_sections, fragility_figures, frequency_sections, history_figure,
@@ -216,8 +217,9 @@ class Report:
 
     def trials(self):
         parts = []
+        rotations = functools.partial(trial_figures.rotations, fewest=self.data["fewest_values"]["median"])
         for body in self.results.bodies:
-            drawn = [("ends", "verdicts and models", trial_figures.ends), ("rotations", "peak rotations", trial_figures.rotations),
+            drawn = [("ends", "verdicts and models", trial_figures.ends), ("rotations", "peak rotations", rotations),
                      ("slips", "peak slips", trial_figures.slips), ("reasons", "reasons for more detailed models", trial_figures.reasons)]
             if self.fit["grid"]:  # the map shows the ends, and a grid has no distributions
                 drawn = [drawn[0], drawn[3]]

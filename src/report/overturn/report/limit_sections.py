@@ -8,7 +8,6 @@ MOST_PAIRS = 6  # of bodies, columns of a table
 MOST_OPEN_ROWS = 40  # of the stripes: longer tables scroll in a box
 QUANTILES = [("median", "median"), ("p84", "84 %"), ("p95", "95 %")]
 SHARES = {"median": 0.5, "p84": 0.84, "p95": 0.95}
-FEWEST = {"median": 5, "p84": 7, "p95": 20}  # waves: of fewer there is no such percentile
 RESPONSES = {"peak_slip": ("peak slip", "slip"), "peak_rotation_ratio": ("peak rotation / α", "")}  # name, kind of unit
 
 
@@ -29,9 +28,9 @@ def answer_table(sheet):
             + paragraphs(filter(None, [sheet["left_out"], sheet["depends"]])))
 
 
-def response(row, key):
-    """A percentile of a response; a trial that overturned lies above every value. Few waves give no percentile."""
-    if row["trials"] + row["unknown"] < FEWEST[key]:
+def response(row, key, fewest):
+    """A percentile of a response; a trial that overturned lies above every value. fewest: waves that each percentile needs."""
+    if row["trials"] + row["unknown"] < fewest[key]:
         return "–"
     beyond = (row["trials"] - 1) * (1 - SHARES[key])
     return "overturned" if row[key] is None and row["overturned"] > beyond else value_of(row[key], 3)
@@ -164,13 +163,13 @@ def limits(report):
     report.section("limits", "Further limit states", *parts)
 
 
-def spread(row, key, fallen):
+def spread(row, key, fallen, fewest):
     """A percentile and its interval; an upper end that is a fall is no open end."""
     known = without_fallen(row, fallen)
     low, high = (known[f"{key}_{end}"] for end in ("lower", "upper"))
     if row[f"{key}_upper"] is not None and high is None:
-        return f"{response(known, key)} ({low_of(low, 3, 'fell')} – fell)"
-    return response(known, key) if low is None and high is None else f"{response(known, key)} ({interval([low, high], 3)})"
+        return f"{response(known, key, fewest)} ({low_of(low, 3, 'fell')} – fell)"
+    return response(known, key, fewest) if low is None and high is None else f"{response(known, key, fewest)} ({interval([low, high], 3)})"
 
 
 def span(row, fallen):
@@ -214,7 +213,7 @@ def responses(report):
             what = f"{body.name}: {name}{f' [{unit}]' if unit else ''}"
             parts += [f"<h4>{escape(what)}</h4>", drawn,
                       table(what, ["level", *(title for _, title in QUANTILES), "lowest to highest", "trials"],
-                            [[report.amplitude(q["amplitude"]), *(spread(q, key, fallen) for key, _ in QUANTILES), span(q, fallen), q["trials"]]
+                            [[report.amplitude(q["amplitude"]), *(spread(q, key, fallen, report.data["fewest_values"]) for key, _ in QUANTILES), span(q, fallen), q["trials"]]
                              for q in mine])]
     if parts:
         report.section("responses", "Slip and tilt", *parts, paragraphs([report.notes["quantiles"]], " class=quiet"))

@@ -12,7 +12,6 @@ MODEL_COLOURS = [PALE, SKY, ORANGE, PURPLE, GREEN, BLUE]  # the first is rest
 ENDS = {"at-rest": PALE, "slid": ORANGE, "rocked": SKY, "slid-and-rocked": SKY, "overturned": VERMILION, "contact-lost": PURPLE, "failed": INK}
 LEAST_SLIP = 1e-4  # [m] that anyone asks about
 MOST_STEPS = 400  # of a distribution function: finer than print
-FEWEST_OF_A_SAMPLE = 5  # of fewer no band is drawn
 
 
 def steps_of(values):
@@ -53,15 +52,16 @@ def of_levels(body, drawn):
     return f", {len(drawn)} of {len(body.stripes['amplitude'])} levels"
 
 
-def rotations(results, body, path, confidence=0.95):
-    """Distribution of the peak rotation per level with the Dvoretzky-Kiefer-Wolfowitz band of the middle one."""
+def rotations(results, body, path, fewest, confidence=0.95):
+    """Distribution of the peak rotation per level with the Dvoretzky-Kiefer-Wolfowitz band of the middle one. fewest: trials
+    of which a band is drawn."""
     style.use()
     figure, axes = plt.subplots(figsize=(5.4, 2.3), layout="constrained")
     ratio = np.where(body.ended("fell"), np.inf, body.trials("peak_rotation_ratio"))
     ratio = np.where(body.ended("decided"), ratio, np.nan)
     shown = np.where(np.isinf(ratio), 1.2, np.minimum(ratio, 1.2))  # what overturns leaves the picture on the right
     drawn = by_level(results, body, axes, shown, chosen_levels(body))
-    if drawn and drawn[len(drawn) // 2][1] >= FEWEST_OF_A_SAMPLE:
+    if drawn and drawn[len(drawn) // 2][1] >= fewest:
         number, count = drawn[len(drawn) // 2]
         x, share = steps_of(shown[(body.trials("level") == number) & np.isfinite(shown)])
         reach = np.sqrt(np.log(2 / (1 - confidence)) / (2 * count))
