@@ -18,8 +18,11 @@ inline void check_fit_options(std::optional<double> beta_u, std::optional<double
                  *beta_u);
         output::check_spread("--beta-u", *beta_u);
     }
-    validate(!confidence || (*confidence > 0 && *confidence < 1),
-             "--confidence: {} (must lie between 0 and 1). State e.g. 0.95", confidence.value_or(0));
+    constexpr double least = 0.5;
+    validate(!confidence || (*confidence >= least && *confidence < 1),
+             "--confidence: {} (must be at least 0.5 and below 1: an interval of less misses the true value more often "
+             "than it holds it, and its ends are no bounds). State e.g. 0.95",
+             confidence.value_or(0));
 }
 
 }  // namespace overturn::cli

@@ -117,7 +117,8 @@ int fit_stripes(FitOptions const& options) {
         frequencies.back().limit = overturning_limit;
     }
     if (!options.json) {
-        fmt::print("{}{}\n{}", narrowed(output::fragility_table({measured}, request.confidence)),
+        fmt::print("{}{}{}\n{}", narrowed(output::fragility_table({measured}, request.confidence)),
+                   options.text.full && !std::isnan(measured.rank_area) ? output::rank_text() : std::string(),
                    hazard ? output::frequency_text(frequencies, *hazard, request.confidence) : std::string(),
                    output::table_stripes_text(table.amplitude, stripes, request.confidence, options.text.full));
         print_unread(table.unread);

@@ -130,8 +130,8 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
         text += fmt::format("  no curve over any measure: {}\n", state_words(first.state, first.passing));
     } else {
         auto const ends = fmt::format("{:g} % interval", 100 * confidence);
-        TextGroup columns{{"fragility"},           {"median"},          {ends},  {"beta"}, {ends},
-                          {"5 % point\nat least"}, {"HCLPF\nat least"}, {"rank"}};
+        TextGroup columns{{"fragility"},           {"median"},          {ends},         {"beta"}, {ends},
+                          {"5 % point\nat least"}, {"HCLPF\nat least"}, {"rank\n(AUC)"}};
         columns.front().side = TextColumn::Side::left;
         for (auto const& m : fits) {
             append_row(columns, fit_cells(m));
@@ -154,14 +154,21 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
     return text;
 }
 
+std::string rank_text() {
+    return "rank (AUC): chance that a trial that overturned, or exceeded the limit, has more of the measure than one "
+           "that\ndid not; 0.5: no order, 1: a perfect one\n";
+}
+
 std::string curves_text(std::span<BodyAnalysis const> bodies, double confidence) {
     std::string text;
+    bool const ranked = std::ranges::any_of(
+        bodies, [](BodyAnalysis const& body) { return !body.grid && !end_the_same_way(body.fragility); });
     for (auto const& body : bodies) {
         text += body.grid ? fmt::format("\n{}: {}\n{}", body.body, grid_text(body.over_levels().fit.waves),
                                         grid_map_text(*body.grid))
                           : body_text(body, confidence);
     }
-    return text;
+    return ranked ? text + rank_text() : text;
 }
 
 }  // namespace overturn::output

@@ -15,4 +15,7 @@ namespace overturn::output {
 /// One list of fits; also of tables without a campaign.
 [[nodiscard]] std::string fragility_table(std::vector<MeasuredFragility> const& fits, double confidence);
 
+/// What the column "rank" means.
+[[nodiscard]] std::string rank_text();
+
 }  // namespace overturn::output

@@ -208,7 +208,7 @@ TEST_F(Fit, BetaUMovesHclpf) {
     EXPECT_NEAR(with["median_at_95"].get<double>() / with["median"].get<double>(), std::exp(-1.6448536269514722 * 0.3),
                 1e-12);
     auto const text = single_blanks(overturn(folder, {"fit", "--stripes", "t.csv"}).out);
-    EXPECT_NE(text.find(" at least at least rank\n"), std::string::npos) << text;
+    EXPECT_NE(text.find(" at least at least (AUC)\n"), std::string::npos) << text;
     auto const least = std::floor(1e4 * without["five_percent_point_lower"].get<double>()) / 1e4;
     EXPECT_NE(text.find(fmt::format(" {:.4g} - ", least)), std::string::npos) << text;
 }
@@ -266,7 +266,15 @@ TEST_F(Fit, BadTablesAreRefusedWhereTheyAreWrong) {
     refuse(head + "1,54,1\n1,54,2\n", "t.csv:3:1: amplitude 1 twice");
     refuse("amplitude;trials;overturned\n1,5;54;2\n", "t.csv:2:1: '1,5'");
     EXPECT_EQ(overturn(folder, {"fit"}).code, 2);
-    EXPECT_EQ(overturn(folder, {"fit", "--stripes", "t.csv", "--confidence", "0"}).code, 2);
+    folder.write("t.csv", head + "1,54,2\n2,54,40\n");
+    for (auto const* confidence : {"0", "0.1", "0.49", "1"}) {
+        auto const ended = overturn(folder, {"fit", "--stripes", "t.csv", "--confidence", confidence});
+        EXPECT_EQ(ended.code, 2) << confidence;
+        EXPECT_NE(ended.err.find("must be at least 0.5"), std::string::npos) << ended.err;
+    }
+    auto const half = overturn(folder, {"fit", "--stripes", "t.csv", "--confidence", "0.5", "--full"});
+    EXPECT_EQ(half.code, 0) << half.err;
+    EXPECT_NE(half.out.find("rank (AUC): chance that a trial that overturned"), std::string::npos) << half.out;
     EXPECT_EQ(overturn(folder, {"fit", "no.csv", "--stripes", "t.csv"}).code, 2);
     EXPECT_EQ(overturn(folder, {"fit", "--stripes", "none.csv"}).code, 2);
 }

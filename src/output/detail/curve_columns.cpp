@@ -174,9 +174,11 @@ void add_check_columns(TableOf<Curve>& table, Passing passing) {
         .add(
             "rank_area", "1",
             passing == Passing::exceeded
-                ? "probability that a trial that exceeded the limit has the larger measure; NaN: all trials ended the "
-                  "same way"
-                : "probability that a trial that overturned has the larger measure; NaN: all trials ended the same way",
+                ? "probability that a trial that exceeded the limit has the larger measure than one that did not (0.5: "
+                  "no order, 1: a perfect one); NaN: all trials ended the same way"
+                : "probability that a trial that overturned has the larger measure than one that did not (0.5: no "
+                  "order, "
+                  "1: a perfect one); NaN: all trials ended the same way",
             [](Curve const& curve) { return curve.rank_area; })
         .add("rank_area", "1", "rank_area", [](Curve const& curve) {
             return std::isfinite(curve.rank_area) ? std::optional(curve.rank_interval) : std::nullopt;
