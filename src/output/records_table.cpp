@@ -115,7 +115,10 @@ RecordSheet record_sheet(CampaignSpec const& spec, std::span<TrialRow const> tri
         auto const& of = spec.bodies[row.body];
         auto const& end = entry_of(row.verdict);
         sheet.rows.push_back({names.at(static_cast<std::size_t>(row.wave)), of.name, spec.levels.text(row.amplitude),
-                              std::string(end.name), of.friction ? number_or_dash(slip.of(row.peak_slip_m)) : "-",
+                              std::string(end.name),
+                              !of.friction ? "-"
+                              : end.fell   ? "fell"
+                                           : number_or_dash(slip.of(row.peak_slip_m)),
                               end.fell ? "fell" : number_or_dash(degrees_per_rad * row.peak_rotation_rad),
                               model_name(row)});
         if (limits) {
@@ -151,9 +154,10 @@ Table records_table(CampaignSpec const& spec, std::span<TrialRow const> trials) 
              [](TrialRow const& row) { return row.amplitude; })
         .add("verdict", "1", "how the trial ended",
              [](TrialRow const& row) { return std::string(entry_of(row.verdict).name); })
-        .add("peak_slip", Unit("m").as(typed_units(spec).slip), "largest slip; NaN: not simulated",
+        .add("peak_slip", Unit("m").as(typed_units(spec).slip),
+             "largest slip, up to the fall where it fell; NaN: not simulated",
              [&](TrialRow const& row) { return spec.bodies[row.body].friction ? row.peak_slip_m : never; })
-        .add("peak_rotation", Unit("rad").as(shown_unit(spec, "rad")), "largest rotation",
+        .add("peak_rotation", Unit("rad").as(shown_unit(spec, "rad")), "largest rotation, up to the fall where it fell",
              [](TrialRow const& row) { return row.peak_rotation_rad; })
         .add("model", "1", "the model that gave the result", [](TrialRow const& row) { return model_name(row); });
     return table.take();

@@ -185,6 +185,21 @@ TEST_F(RecordsOnTheLine, OfFewEachIsARow) {
     EXPECT_TRUE(rows[0].at("peak_slip_m").is_null()) << "without friction nothing slips";
 }
 
+// What fell slid until it fell: no slip of it stands beside those of bodies that stand.
+TEST_F(RecordsOnTheLine, WhatFellHasNoSlip) {
+    auto text = campaign("files=['rests.csv']\n", "pga", "'0.1 g', '3 g'");
+    text.replace(text.find("name='b'\n"), 9, "name='b'\nfriction=1.2\n");
+    folder.write("c.toml", text);
+    auto const run = overturn(folder, {"run", "c.toml"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    auto const records = run.out.substr(run.out.find("\n== records\n"));
+    auto const at = records.find(" overturned ");
+    ASSERT_NE(at, std::string::npos) << records;
+    auto const row = records.substr(at, records.find('\n', at) - at);
+    EXPECT_NE(row.find("fell"), row.rfind("fell")) << "slip and tilt: " << row;
+    EXPECT_LT(records.find(" at-rest "), at) << "the control: " << records;
+}
+
 // fewer than five records give counts and no probability: in the text, in JSON (null, with the reason) and in
 // the headlines of the page. Five give one.
 TEST_F(RecordsOnTheLine, OfFewerThanFiveThereIsNoProbability) {
