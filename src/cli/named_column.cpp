@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <optional>
+#include <span>
 
 #include <fmt/format.h>
 
 #include "campaign/intensity_measure.hpp"
+#include "core/error.hpp"
 #include "core/units.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
@@ -99,6 +102,38 @@ Dimension dimension_of(NamedColumn const& column) {
     return measure == nullptr || !column.unit.empty() ? Dimension::none : measure->dimension;
 }
 
+// "PGA in gal" above "pga [g]": words, without a number of their own, on what the column holds.
+void check_lines_on(NamedColumn const& column, std::span<TextLine const> lines, Dimension dimension, double own,
+                    std::string_view header, std::string const& file) {
+    for (auto const& line : lines) {
+        auto const lower = lowered(line.text);
+        bool named = false;
+        bool same = false;
+        bool other = false;
+        auto const is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/'; };
+        for (std::size_t at = 0; at < lower.size();) {
+            std::size_t end = at;
+            while (end < lower.size() && is_of_word(lower[end])) {
+                ++end;
+            }
+            auto const word = std::string_view(lower).substr(at, end - at);
+            double const unit = word.empty() ? 0 : unit_spelled(word, dimension).value_or(0);  // 0: none
+            named = named || word == lowered(column.bare);
+            same = same || unit == own;
+            other = other || (unit > 0 && unit != own);
+            at = end + 1;
+        }
+        bool const number = std::ranges::any_of(lower, [](unsigned char c) { return std::isdigit(c) != 0; });
+        if (named && other && !same && !number) {
+            throw InputError(
+                {file, line.number},
+                fmt::format("'{}' beside column '{}' (two units of it: they contradict each other). Correct "
+                            "one of them",
+                            trimmed(line.text), header));
+        }
+    }
+}
+
 }  // namespace
 
 IntensityText intensity_text(CellRows const& rows, std::string const& file, std::string_view column) {
@@ -122,6 +157,9 @@ IntensityText intensity_text(CellRows const& rows, std::string const& file, std:
     auto const statements = heard(dimension);
     statements.check_unit_of(column, file);
     auto const own = dimension == Dimension::none ? std::nullopt : unit_spelled(named.unit, dimension);
+    if (own) {
+        check_lines_on(named, rows.text(), dimension, *own, column, file);
+    }
     auto const unit = statements.unit_beside(own, {}, {file, rows.header_line()});
     if (named.unit.empty() && !unit && !statements.doubt().empty()) {
         throw InputError(

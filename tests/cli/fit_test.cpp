@@ -265,7 +265,14 @@ TEST_F(Fit, BadTablesAreRefusedWhereTheyAreWrong) {
     refuse(head + "1,0,0\n", "no trial");
     refuse(head + "1,54,1\n1,54,2\n", "t.csv:3:1: amplitude 1 twice");
     refuse("amplitude;trials;overturned\n1,5;54;2\n", "t.csv:2:1: '1,5'");
+    refuse("# PGA in gal\npga [g],trials,overturned\n0.3,54,2\n0.5,54,9\n",
+           "t.csv:1: '# PGA in gal' beside column 'pga [g]' (two units of it");
     EXPECT_EQ(overturn(folder, {"fit"}).code, 2);
+    for (auto const* line : {"# PGA in g", "# PGA in g, 0.3 g is 294 gal", "# scaled to a PGA", "# PGA in gal or g"}) {
+        folder.write("t.csv", std::string(line) + "\npga [g],trials,overturned\n0.3,54,2\n0.5,54,9\n");
+        auto const ended = overturn(folder, {"fit", "--stripes", "t.csv"});
+        EXPECT_EQ(ended.code, 0) << line << ended.err;
+    }
     folder.write("t.csv", head + "1,54,2\n2,54,40\n");
     for (auto const* confidence : {"0", "0.1", "0.49", "1"}) {
         auto const ended = overturn(folder, {"fit", "--stripes", "t.csv", "--confidence", confidence});
