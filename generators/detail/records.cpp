@@ -144,6 +144,9 @@ Record read_motion(config::Table const& table, std::string_view key, std::string
         if (auto const odd = unusual_time_step(placed.motion.time_step_s); !odd.empty()) {
             placed.says += fmt::format(", check its unit: {}", odd);
         }
+        if (placed.in_borehole) {
+            placed.says += ", recorded in a borehole, not at the surface";
+        }
         auto const record_of = [&](GroundMotion motion, std::string says) {
             return Record{std::move(motion), std::move(says), placed.direction, 0, {}, {}, {}, {}};
         };

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include "campaign/campaign_input.hpp"
@@ -116,31 +117,66 @@ std::vector<std::string> files_in(std::string const& folder) {
     return names;
 }
 
-// Where each file is one component of a station and event: of each of these the first horizontal one, which the others
-// join. Empty where a file states no station, or stands alone.
-std::vector<std::string> one_of_each_station(fs::path const& folder, std::vector<std::string> const& names) {
+// A folder of single components, by station and event.
+struct Stations {
+    std::vector<std::string> found;  // of each the first horizontal one, which the others join
+    std::vector<std::string> in_borehole;
+    std::vector<std::string> vertical;
+    std::string apart;  // why one of them is no such station; empty: all are
+};
+
+Stations stations_in(fs::path const& folder, std::vector<std::string> const& names) {
+    Stations stations;
+    InputFiles files(folder);
     std::map<std::string, std::vector<std::string>> of_station;
-    std::vector<std::string> found;
-    try {
-        InputFiles files(folder);
-        for (auto const& name : names) {
-            of_station[station_of_record(files.read(name))].push_back(name);
+    for (auto const& name : names) {
+        auto station = station_of_record(files.read(name));
+        if (station.ends_with(in_borehole_mark)) {
+            stations.in_borehole.push_back(name);
         }
-        for (auto const& [station, components] : of_station) {
-            auto const first = std::ranges::find_if(components, [&](std::string const& name) {
-                auto const recording = read_recording(files.read(name), {.name = name});
-                return recording.components.size() == 1
-                       && recording.components.front().direction == Direction::horizontal;
-            });
-            if (station.empty() || components.size() == 1 || first == components.end()) {
-                return {};
+        of_station[std::move(station)].push_back(name);
+    }
+    for (auto const& [station, components] : of_station) {
+        std::string first;
+        for (auto const& name : components) {
+            auto const recording = read_recording(files.read(name), {.name = name});
+            auto const direction =
+                recording.components.size() == 1 ? recording.components.front().direction : Direction::unknown;
+            first = first.empty() && direction == Direction::horizontal ? name : first;
+            if (is_vertical(direction)) {
+                stations.vertical.push_back(name);
             }
-            found.push_back(*first);
         }
+        if (!station.empty() && components.size() > 1 && !first.empty()) {
+            stations.found.push_back(first);
+        } else if (stations.apart.empty()) {
+            stations.apart = fmt::format("{}: {}", fmt::join(components, ", "),
+                                         station.empty() ? "no station stated"
+                                         : first.empty() ? "no horizontal component of its station"
+                                                         : "no other component of its station");
+        }
+    }
+    return stations;
+}
+
+// Where each file is one component of a station and event: of each of these the first horizontal one. Empty where a
+// file states no station, or stands alone, and none is vertical: each is then a record.
+std::vector<std::string> one_of_each_station(fs::path const& folder, std::vector<std::string> const& names) {
+    Stations stations;
+    try {
+        stations = stations_in(folder, names);
     } catch (InputError const&) {  // said when the campaign is read
         return {};
     }
-    return found;
+    validate(stations.in_borehole.empty(),
+             "--records '{}' ({}: recorded in a borehole, not at the surface). Move them into another folder",
+             folder.string(), fmt::join(stations.in_borehole, ", "));
+    validate(
+        stations.apart.empty() || stations.vertical.empty(),
+        "--records '{}' ({}; beside vertical components, which join others of their station). Complete it, or move "
+        "it into another folder",
+        folder.string(), stations.apart);
+    return stations.apart.empty() ? stations.found : std::vector<std::string>();
 }
 
 // Files are named from the folder of the campaign.

@@ -142,10 +142,16 @@ std::string direction_name(std::string_view text) {
     return std::string(text);
 }
 
+bool is_in_borehole(std::string_view direction) {
+    return direction.size() == 1 && direction[0] >= '1' && direction[0] <= '3';
+}
+
 /// Equal for the files of one sensor and event.
 std::string sensor_of(Header const& header) {
     auto const direction = header.value(13);
-    std::string_view const depth = direction.size() != 1 ? "" : direction[0] <= '3' ? ", borehole" : ", surface";
+    std::string_view const depth = direction.size() != 1       ? ""
+                                   : is_in_borehole(direction) ? in_borehole_mark
+                                                               : ", surface";
     return fmt::format("{}, {}{}", header.value(6), header.value(10), depth);
 }
 
@@ -186,7 +192,9 @@ Recording read_knet(std::string_view content, RecordRequest const& request) {
     }
     check_peak(header, peak_of(values));
     auto const name = direction_name(header.value(13));
-    return {1 / frequency_hz, {{name, direction_of(name), std::move(values)}}, gal_mps2};
+    Recording recording{1 / frequency_hz, {{name, direction_of(name), std::move(values)}}, gal_mps2};
+    recording.in_borehole = is_in_borehole(header.value(13));
+    return recording;
 }
 
 }  // namespace overturn

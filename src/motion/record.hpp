@@ -37,6 +37,8 @@ void state_unit(RecordRequest& request, std::string_view text);
 /// is missing or contradicts what the file says.
 [[nodiscard]] Recording read_recording(std::string_view content, RecordRequest const& request);
 
+/// What it ends with for a sensor in a borehole.
+inline constexpr std::string_view in_borehole_mark = ", borehole";
 /// Common key of the files of one station, event and time, from their headers alone; empty if `head`, the beginning of
 /// a file, does not state it, or its format has several components to a file anyway.
 [[nodiscard]] std::string station_of_record(std::string_view head);

@@ -142,6 +142,7 @@ PlacedRecord place(Recording recording, std::string_view first, ComponentChoice 
     placed.unit_mps2 = recording.unit_mps2;
     placed.statements = std::move(recording.statements);
     placed.unread = std::move(recording.unread);
+    placed.in_borehole = recording.in_borehole;
     bool const single = recording.components.size() == 1;
     auto const names = names_of(recording);
     auto horizontal = first_horizontal(recording, first, where);

@@ -27,6 +27,7 @@ struct Recording {
     std::string format = {};                   ///< as which it was read: a name of record_formats()
     std::vector<std::string> statements = {};  ///< what the file's text says and is used: "line 3: gal"
     std::vector<std::string> unread = {};      ///< its lines of text that are not understood
+    bool in_borehole = false;                  ///< as it says: not at the surface
 };
 
 /// Components of a file that become part of the motion.
@@ -49,6 +50,7 @@ struct PlacedRecord {
     double unit_mps2 = 0;                      ///< what one unit of its numbers was taken for [m/s2]
     std::vector<std::string> statements = {};  ///< as those of Recording
     std::vector<std::string> unread = {};
+    bool in_borehole = false;  ///< as its file says
 
     /// "knet, NS, gal, 0.01 s, 6000 samples, 59.99 s": what a reader can be checked by.
     [[nodiscard]] std::string read_as() const;

@@ -190,6 +190,80 @@ TEST_F(New, ComponentsOfAStationAreOneRecord) {
     EXPECT_NE(folder.read("s.toml").find("files = [\"b.at2\", \"c.at2\", \"d.at2\", \"f.at2\"]\n"), std::string::npos);
 }
 
+// what stands in the way of a folder of stations is named, and none is left out.
+TEST_F(New, AStationWithoutAHorizontalComponentIsNamed) {
+    std::filesystem::create_directory(folder / "peer");
+    auto const write = [&](char const* name, char const* station, char const* component) {
+        folder.write(std::string("peer/") + name,
+                     fmt::format("PEER NGA STRONG MOTION DATABASE RECORD\nHole 01, 5/19/1940, {}, {}\n"
+                                 "ACCELERATION TIME SERIES IN UNITS OF G\nNPTS=   4, DT=   .0100 SEC,\n"
+                                 " .01 -.02 .01 0.0\n",
+                                 station, component));
+    };
+    write("a.at2", "El Centro", "UP");
+    write("b.at2", "El Centro", "180");
+    write("c.at2", "El Centro", "270");
+    write("d.at2", "Taft", "UP");
+    expect_refused(joined(cask, {"--records", "peer", "--design-basis", "0.3 g"}),
+                   "--records 'peer' (d.at2: no horizontal component of its station; ");
+    std::filesystem::remove(folder / "peer/d.at2");
+    folder.write("peer/notes.txt", "time_s,acc (gal)\n0,1\n0.01,2\n0.02,-3\n");
+    expect_refused(joined(cask, {"--records", "peer", "--design-basis", "0.3 g"}), "(notes.txt: no station stated; ");
+}
+
+// KiK-net's NS1, EW1 and UD1 are of the borehole: no motion that a cask stands on.
+TEST_F(New, RecordsOfABoreholeAreRefused) {
+    std::filesystem::create_directory(folder / "kik");
+    std::filesystem::create_directory(folder / "surface");
+    auto const write = [&](std::string const& name, char direction) {
+        std::string text;
+        for (auto const& [key, value] :
+             std::vector<std::pair<std::string, std::string>>{{"Origin Time", "2011/03/11 14:46:00"},
+                                                              {"Lat.", "38"},
+                                                              {"Long.", "142"},
+                                                              {"Depth. (km)", "24"},
+                                                              {"Mag.", "9"},
+                                                              {"Station Code", "XXXH08"},
+                                                              {"Station Lat.", "38"},
+                                                              {"Station Long.", "142"},
+                                                              {"Station Height(m)", "1"},
+                                                              {"Record Time", "2011/03/11 14:46:36"},
+                                                              {"Sampling Freq(Hz)", "100Hz"},
+                                                              {"Duration Time(s)", "1"},
+                                                              {"Dir.", std::string(1, direction)},
+                                                              {"Scale Factor", "100(gal)/10000"},
+                                                              {"Max. Acc. (gal)", "9.900"},
+                                                              {"Last Correction", "2011/03/11 14:46:36"},
+                                                              {"Memo.", ""}}) {
+            text += fmt::format("{:<18}{}\n", key, value);
+        }
+        for (int i = 0; i < 100; ++i) {
+            text += fmt::format("{:>8} {}", i == 40 ? 1000 : 0, i % 8 == 7 || i == 99 ? "\n" : "");
+        }
+        folder.write(name, text);
+    };
+    char direction = '1';
+    for (std::string const name : {"x.NS1", "x.EW1", "x.UD1", "x.NS2", "x.EW2", "x.UD2"}) {
+        write("kik/" + name, direction);
+        if (direction > '3') {
+            write("surface/" + name, direction);
+        }
+        ++direction;
+    }
+    expect_refused(joined(cask, {"--records", "kik", "--design-basis", "0.3 g"}),
+                   "(x.EW1, x.NS1, x.UD1: recorded in a borehole, not at the surface)");
+    expect_planned({"--records", "surface", "--design-basis", "0.3 g"});
+    auto text = folder.read("s.toml");
+    EXPECT_NE(text.find("components = \"station\""), std::string::npos) << text;
+    // A campaign that states one is told so.
+    EXPECT_EQ(overturn(folder, {"plan", "s.toml"}).out.find("borehole"), std::string::npos);
+    text.replace(text.find("\"surface\""), 9, "\"kik\"");
+    text.replace(text.find("x.EW2"), 5, "x.EW1");
+    folder.write("down.toml", text);
+    auto const plan = overturn(folder, {"plan", "down.toml"});
+    EXPECT_NE((plan.out + plan.err).find("recorded in a borehole"), std::string::npos) << plan.out << plan.err;
+}
+
 TEST_F(New, RefusesWhatCannotBe) {
     Arguments const waves{"--spectrum", "mlit-ch1", "--design-basis", "600 gal"};
     expect_refused({"--mass", "117 stone"}, "--mass unit 'stone' (not a unit of mass). Use one of: ");
