@@ -110,7 +110,9 @@ CheckRow convergence(Json const& record) {
 CheckRow sensitivity(Json const& record) {
     std::string largest;
     double change = 0;
+    bool coarse = false;
     for (auto const& row : record.at("rows")) {
+        coarse = coarse || row.value("levels_too_coarse", false);
         auto const& ratio = row.at("median_ratio");
         if (ratio.is_number() && row.at("resolved").get<bool>()
             && std::abs(ratio.get<double>() - 1) > std::abs(change)) {
@@ -120,8 +122,9 @@ CheckRow sensitivity(Json const& record) {
                             text_at(row, "moved_to"), text_at(row, "body"), 100 * change);
         }
     }
-    return {named(RecordKind::sensitivity), largest.empty() ? "no resolved change of a median" : "largest: " + largest,
-            sample_text(record.at("study").at(0)), false};
+    auto result = largest.empty() ? "no resolved change of a median" : "largest: " + largest;
+    result += coarse ? "; NOT RESOLVED for some values: levels are coarse, state more" : "";
+    return {named(RecordKind::sensitivity), result, sample_text(record.at("study").at(0)), false};
 }
 
 }  // namespace

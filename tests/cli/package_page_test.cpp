@@ -164,15 +164,17 @@ TEST_F(CalculationPackage, RefusesRecordsThatAreNotOfIt) {
 
 // cost and its sensitivity are checks too; the assumed values get a section.
 TEST_F(CalculationPackage, StudiesOfCostAreListed) {
-    folder->write("assumed.toml",
-                  std::string(cover)
-                      + "seed=3\n[waves]\nsource='filtered-noise'\nmodel='kanai-tajimi'\nrms='1 m/s2'\ncount=12\n"
+    auto const campaign = [](std::string const& levels) {
+        return std::string(cover)
+               + "seed=3\n[waves]\nsource='filtered-noise'\nmodel='kanai-tajimi'\nrms='1 m/s2'\ncount=12\n"
                         "duration='8 s'\ntime_step='0.02 s'\n[waves.envelope]\nshape='constant'\n[[bodies]]\nname='block'\n"
                         "mass='1 t'\nbase_width={value=0.4, basis='assumed', range=[0.2, 0.6]}\ncentre_height='0.8 m'\n"
-                        "inertia='uniform-block'\n[levels]\nmeasure='pga'\nvalues=['3 m/s2', '6 m/s2', '9 m/s2', '12 "
-                        "m/s2']\ndesign_basis='6 m/s2'\n");
-    auto const cost = [](std::vector<std::string> const& more) {
-        auto const ended = overturn(*folder, joined({"cost", "assumed.toml", "--json"}, more));
+                        "inertia='uniform-block'\n[levels]\nmeasure='pga'\ndesign_basis='6 m/s2'\nvalues=" + levels + "\n";
+    };
+    folder->write("assumed.toml", campaign("{from='2 m/s2', to='16 m/s2', count=15}"));
+    folder->write("coarse.toml", campaign("['3 m/s2', '6 m/s2', '9 m/s2', '12 m/s2']"));
+    auto const cost = [](std::vector<std::string> const& more, char const* name = "assumed.toml") {
+        auto const ended = overturn(*folder, joined({"cost", name, "--json"}, more));
         EXPECT_EQ(ended.code, 0) << ended.err;
         return ended.out;
     };
@@ -194,7 +196,13 @@ TEST_F(CalculationPackage, StudiesOfCostAreListed) {
     // Its numerical error stands below P in the answer.
     auto const last = data.at("answer").at("rows").back();
     EXPECT_EQ(last.at(1), "numerical error of P");
-    EXPECT_TRUE(last.at(2).get<std::string>().ends_with(", mean over levels (overturn cost, 4 trials)")) << last;
+    EXPECT_TRUE(last.at(2).get<std::string>().ends_with(", mean over levels (overturn cost, 15 trials)")) << last;
+    // Where levels are too far apart nothing says that a value has no effect.
+    folder->write("coarse.json", cost({"--sensitivity"}, "coarse.toml"));
+    ASSERT_EQ(overturn(*folder, {"run", "coarse.toml", "-o", "coarse.h5"}).code, 0);
+    ASSERT_EQ(overturn(*folder, {"report", "coarse.h5", "-o", "q.html", "--record", "coarse.json"}).code, 0);
+    EXPECT_EQ(json::parse(folder->read("q.html")).at("checks")[4].at("result"),
+              "no resolved change of a median; NOT RESOLVED for some values: levels are coarse, state more");
 }
 
 // Beside the worst trials of all: what came farthest at the design basis, by the rows of the file.
