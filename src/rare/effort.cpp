@@ -16,7 +16,7 @@ namespace overturn::rare {
 namespace {
 
 // As the estimators have them.
-constexpr double looked_at = 4000;      // plain waves of `auto`, and crude's first ones
+constexpr double plain_waves = 4000;    // plain waves of `auto`, and crude's first ones
 constexpr double nearly_certain = 200;  // plain waves of the mixture, where it is asked for
 constexpr double an_attempt = 2048;     // waves of an attempt to find where failure is common
 constexpr double levels_an_attempt =
@@ -54,7 +54,7 @@ Effort crude_effort(std::span<Sounding const> all, Request const& request) {
     }
     auto const needed = [&](double times) {
         double const p = std::min(1.0, times * rarest);
-        return std::max(looked_at, p > 0 ? crude_runs_for(p, request.target_cov) : HUGE_VAL);
+        return std::max(plain_waves, p > 0 ? crude_runs_for(p, request.target_cov) : HUGE_VAL);
     };
     return within({needed(decade_off), needed(1), needed(1 / decade_off)}, request, static_cast<double>(all.size()));
 }
@@ -106,7 +106,7 @@ Effort automatic_effort(std::span<Sounding const> all, bool pulses, Request cons
     for (auto const& sounding : all) {
         (sounding.probability >= common_probability ? common : rare).push_back(sounding);
     }
-    double const look = looked_at * static_cast<double>(all.size());
+    double const look = plain_waves * static_cast<double>(all.size());
     Effort effort{look, look, look};
     effort += crude_effort(common, request);
     Effort subsets;
