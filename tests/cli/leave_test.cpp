@@ -73,7 +73,7 @@ TEST_F(Leaving, AtOnceOnASecondSignal) {
     write_long_blocks();
     Running running(folder, {OVERTURN_PROGRAM, "run", "c.toml"});
     ASSERT_TRUE(comes_true([&] { return folder.has("c.h5.parts/campaign.record"); }));
-    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    std::this_thread::sleep_for(std::chrono::seconds(1));  // the first block is under way, on a busy machine too
     running.signal(SIGUSR1);
     running.signal(SIGUSR1);
     std::this_thread::sleep_for(std::chrono::milliseconds(600));
