@@ -259,7 +259,7 @@ int fit_interim(FitOptions const& options) {
     }
     auto const line = output::interim_text(now.waves, now.planned);
     fmt::print("{}", line);
-    print_fitted(all, spec, now.statistics, has_withheld(now.input), options.file, text);
+    print_fitted(all, spec, now.statistics, has_withheld(now.input), options.file + " --interim", text);
     fmt::print("{}", line);
     return done;
 }

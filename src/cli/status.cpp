@@ -209,10 +209,6 @@ std::optional<StatusReport> report_of_extension(std::string const& path, bool ch
         return std::nullopt;
     }
     Unfinished run(path, std::move(larger), cheap);
-    if (run.committed.empty() && !run.under_way
-        && run.shards.aside().empty()) {  // begun and refused, or killed before its first block
-        return std::nullopt;
-    }
     auto report = report_of_run(run, path, "--extend");
     report.state =
         output::extension_text(run.plan.count(), run.spec.bodies.size(), run.spec.levels.levels.size(), report.state);

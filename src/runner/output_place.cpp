@@ -94,8 +94,7 @@ std::optional<CampaignInput> unfinished_extension(store::ShardFolder const& shar
     try {
         auto begun = begun_there(shards);
         bool const is_other = begun && begun->block_key() != made_from.block_key();
-        return is_other && made_from.differences_of_rows(*begun).empty() && shards.holds_blocks() ? std::move(begun)
-                                                                                                  : std::nullopt;
+        return is_other && made_from.differences_of_rows(*begun).empty() ? std::move(begun) : std::nullopt;
     } catch (SystemError const&) {
         return std::nullopt;  // a damaged record
     }
@@ -124,6 +123,10 @@ bool take_over(store::ShardFolder const& shards, CampaignInput const& begun, Cam
     if (!request.part.is_whole()) {
         refuse_other(begun, input, shards.folder().string());
         return false;
+    }
+    if (begun.block_key() != input.block_key() && !shards.holds_blocks() && shards.aside().empty()) {
+        shards.begin_again(input.serialise());  // it was stopped before its first block
+        return true;
     }
     if (can_take_over(shards, begun, input, request.shrink)) {
         shards.set_aside(begun.block_key());

@@ -1,6 +1,7 @@
 #include "runner/run.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <memory>
 #include <numeric>
@@ -90,17 +91,19 @@ class Run {
                  options_.extend ? "--extend" : "[rare]");
         auto const found = nlohmann::json::parse(broadcast_from_root(comm_, [&] {
             auto const state = lock_output(options_.output, shards_, input_, plan_, request, lock_);
-            auto const kept =
-                state.keeps ? take_known_blocks(options_.output, input_, spec_, plan_, shards_) : KeptPlaces{};
+            KeptPlaces kept;
             if (state.keeps) {
-                print_note("extending {}: {} of {} blocks are taken from what is there{}\n", options_.output.string(),
-                           kept.blocks, plan_.blocks(),
-                           kept.in_part > 0 ? fmt::format(", and trials of {} more", kept.in_part) : "");
+                giving_up_copies([&] { kept = find_known_blocks(options_.output, input_, spec_, plan_, shards_); });
+            }
+            if (state.keeps) {
+                print_note("extending {}: of {} blocks {} are there already{}\n", options_.output.string(),
+                           plan_.blocks(), kept.blocks,
+                           kept.in_part > 0 ? fmt::format(", and some trials of {} others", kept.in_part) : "");
             }
             return nlohmann::json{{"complete", state.complete},
                                   {"packed", state.packed},
                                   {"begun", state.begun},
-                                  {"kept", kept.in_part > 0 ? kept.text : ""}}
+                                  {"kept", kept.any() ? kept.text : ""}}
                 .dump();
         }));
         if (found.at("complete").get<bool>()) {
@@ -141,6 +144,10 @@ class Run {
         auto const end = whole && merges() ? merge() : whole ? RunEnd::complete : RunEnd::stopped;
         if (comm_.is_root() && (end == RunEnd::stopped || !merges())) {
             print_what_is_left(input_, options_, asked_ - unfinished_, asked_);
+            if (end == RunEnd::stopped && done_.committed == 0 && std::isfinite(stop_policy_.overdue_in_s())) {
+                print_note(
+                    "no block was done in this run: a limit must be longer than a block takes (overturn plan)\n");
+            }
         }
         account();
         return end;
@@ -232,7 +239,9 @@ class Run {
             auto const chosen = waves_.chosen(count);
             auto const look = look_at_target(spec_, plan_, chosen, shards_);
             if (look.met && !options_.shrink) {
-                refuse_lost_waves(waves_held(options_.output, shards_, input_), chosen, options_.output.string());
+                giving_up_copies([&] {
+                    refuse_lost_waves(waves_held(options_.output, shards_, input_), chosen, options_.output.string());
+                });
             }
             return nlohmann::json{{"met", look.met}, {"obstacle", look.obstacle}}.dump();
         }));
@@ -248,6 +257,21 @@ class Run {
             print_note("precise enough after {} of {} waves\n", count, plan_.count());
         }
         return yes;
+    }
+
+    // Of a refused extension nothing stays but what was computed for it.
+    template <typename Check> void giving_up_copies(Check const& check) const {
+        try {
+            check();
+        } catch (InputError const&) {
+            auto const there = shards_.listed({0, plan_.blocks()});
+            bool const copies = std::ranges::all_of(
+                there, [&](std::int64_t block) { return kept_ != nullptr && kept_->has_all(block); });
+            if (copies && std::filesystem::exists(options_.output) && shards_.aside().empty()) {
+                shards_.remove();
+            }
+            throw;
+        }
     }
 
     [[nodiscard]] bool wants_packed() const { return options_.merge.layout == store::Layout::packed; }

@@ -352,6 +352,45 @@ TEST_F(Extend, UnfinishedRunsLoseNothing) {
     auto const fewer = overturn(folder, {"run", "c.toml", "-o", "more.h5", "--extend"});
     EXPECT_EQ(fewer.code, 2);
     EXPECT_NE(fewer.err.find("the target is met by 32 waves, 40 waves are there)"), std::string::npos) << fewer.err;
+    EXPECT_FALSE(folder.has("more.h5.parts")) << "a refused extension leaves nothing";
+    EXPECT_EQ(overturn(folder, {"status", "more.h5"}).code, 0);
+}
+
+// R-1107: an extension without a block is none to be lost, nor is it complete.
+TEST_F(Extend, StoppedBeforeItsFirstBlock) {
+    write(small_campaign("shared", 20));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    auto const larger = with_body_last(small_campaign("shared", 40));
+    write(larger);
+    auto const stopped = overturn(folder, {"run", "c.toml", "--extend", "--max-walltime", "0.001 s"});
+    EXPECT_EQ(stopped.code, 3) << stopped.err;
+    EXPECT_NE(stopped.err.find("no block was done in this run: a limit must be longer"), std::string::npos)
+        << stopped.err;
+    ASSERT_EQ(blocks_done(folder, "c.h5"), 0);
+    auto const status = overturn(folder, {"status", "c.h5"});
+    EXPECT_EQ(status.code, 3);
+    EXPECT_NE(status.out.find("an extension to 40 waves, 3 bodies"), std::string::npos) << status.out;
+    write(with(larger, "median=0.5", "median=0.4"));
+    auto const other = extend(2);
+    ASSERT_EQ(other.code, 0) << other.err;
+    EXPECT_NE(other.err.find("blocks 0 are there already, and some trials of 20 others"), std::string::npos)
+        << other.err;
+    expect_as_at_once();
+}
+
+// R-1107: rows that are there are copied by all ranks, and a signal is heeded while they are.
+TEST_F(Extend, CopiesAreWorkLikeAnyOther) {
+    write(small_campaign("shared", 60));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    write(small_campaign("shared", 61));
+    auto const stopped = overturn(folder, {"run", "c.toml", "--extend", "--max-walltime", "0.001 s"});
+    EXPECT_EQ(stopped.code, 3) << stopped.err;
+    EXPECT_NE(stopped.err.find("of 61 blocks 60 are there already"), std::string::npos) << stopped.err;
+    EXPECT_LT(blocks_done(folder, "c.h5"), 60) << "of which none is copied once time is up";
+    auto const ended = extend(3);
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(trials_answered(ended.err), 6) << "of the wave that is new";
+    expect_as_at_once();
 }
 
 // R-1107: a campaign that ends when it is precise enough takes what was computed without an end in sight.
@@ -404,7 +443,7 @@ TEST_F(Extend, WhatMovesNoRowTakesAll) {
         EXPECT_NE(refused.err.find("Use --extend"), std::string::npos) << refused.err;
         auto const ended = extend(1);
         ASSERT_EQ(ended.code, 0) << ended.err;
-        EXPECT_NE(ended.err.find("extending c.h5: 6 of 6 blocks"), std::string::npos) << ended.err;
+        EXPECT_NE(ended.err.find("extending c.h5: of 6 blocks 6 are there already"), std::string::npos) << ended.err;
         expect_as_at_once();
     }
     auto const again = extend(1);

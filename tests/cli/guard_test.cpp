@@ -104,6 +104,7 @@ TEST_F(Guard, BlocksOfTwoProgramsAreNotMixed) {
     begun_as([](CampaignInput& begun) { begun.program = "0.0.9 (abcdef)"; });
 
     expect_refused(overturn(folder, {"run", "c.toml", "--resume"}), "begun by overturn 0.0.9 (abcdef)");
+    expect_refused(overturn(folder, {"run", "c.toml", "--resume"}), "Finish it with that one");
     for (std::string const verb : {"status", "merge"}) {
         expect_refused(overturn(folder, {verb, "c.h5"}), "begun by overturn 0.0.9 (abcdef)");
     }

@@ -102,6 +102,7 @@ TEST_F(Scripts, FitOfAnUnfinishedRun) {
         fmt::format("INTERIM: {} of 400 waves, those that were done first; the run is not complete\n", waves);
     EXPECT_TRUE(text.out.starts_with(mark)) << text.out;
     EXPECT_TRUE(text.out.ends_with(mark)) << text.out;
+    EXPECT_NE(text.out.find("more: overturn fit c.h5 --interim --full"), std::string::npos) << text.out;
     auto const refused = overturn(folder, {"fit", "c.h5"});
     EXPECT_EQ(refused.code, 2);
     EXPECT_NE(refused.err.find("overturn fit --interim c.h5"), std::string::npos) << refused.err;

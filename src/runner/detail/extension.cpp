@@ -264,9 +264,12 @@ bool can_take_over(store::ShardFolder const& shards, CampaignInput const& begun,
     if (begun.differences(input).empty()) {
         return false;
     }
-    auto bars = begun.differences_of_program(input);
-    std::ranges::move(bars_between(begun, input), std::back_inserter(bars));
-    refuse_barred(shards.folder().string(), bars);
+    auto const others = begun.differences_of_program(input);
+    validate(others.empty(),
+             "{}: {} (rows of two programs are not mixed). Finish it with that one, or start anew with "
+             "another -o",
+             shards.folder().string(), fmt::join(others, "; "));
+    refuse_barred(shards.folder().string(), bars_between(begun, input));
     validate(!parse_campaign(begun).rare && !parse_campaign(input).rare,
              "{}: another campaign with [rare] ({}; its stages need all waves). Undo the change, or start anew with "
              "another -o",
@@ -304,7 +307,7 @@ std::int64_t waves_held(std::filesystem::path const& output, store::ShardFolder 
     return held;
 }
 
-KeptPlaces take_known_blocks(std::filesystem::path const& output, CampaignInput const& input, CampaignSpec const& spec,
+KeptPlaces find_known_blocks(std::filesystem::path const& output, CampaignInput const& input, CampaignSpec const& spec,
                              Plan const& plan, store::ShardFolder const& shards) {
     bool const finished = std::filesystem::exists(output);
     validate(!spec.rare || !finished,
@@ -316,32 +319,17 @@ KeptPlaces take_known_blocks(std::filesystem::path const& output, CampaignInput 
     }
     kept.text = Json{{"file", finished ? output.string() : ""}, {"aside", aside}}.dump();
     auto const rows = kept_rows(kept.text, input, spec, plan);
-    std::vector<std::string> notes;
-    auto const there = shards.committed({0, plan.blocks()}, notes,
-                                        [&](std::int64_t block) { return BlockRows::packed_size(plan, block); });
-    std::vector<store::PackedBlock> fresh;
     std::set<std::string> checked;
     for (std::int64_t block = 0; block < plan.blocks(); ++block) {
-        if (std::ranges::binary_search(there, block)) {
-            continue;
-        }
         if (!rows->has_all(block)) {
             kept.in_part += rows->has_some(block) ? 1 : 0;
             continue;
         }
-        auto const all = rows->block(block);
-        if (checked.insert(rows->origin(block)).second) {
-            check_against(all, rows->origin(block), spec, plan, block);
-        }
-        fresh.push_back({block, all.pack()});
         ++kept.blocks;
-        constexpr std::size_t at_once = 64;
-        if (fresh.size() == at_once) {
-            shards.commit(fresh);
-            fresh.clear();
+        if (checked.insert(rows->origin(block)).second) {
+            check_against(rows->block(block), rows->origin(block), spec, plan, block);
         }
     }
-    shards.commit(fresh);
     return kept;
 }
 

@@ -42,14 +42,13 @@ struct KeptPlaces {
     [[nodiscard]] bool any() const { return blocks + in_part > 0; }
 };
 
-/// Commits each block of the plan all of whose rows are known, by the finished file or by blocks that were set aside,
-/// unless it is committed. Before the first of each place, the rows of one wave are computed again and compared.
-/// \throws InputError if these rows differ
-[[nodiscard]] KeptPlaces take_known_blocks(std::filesystem::path const& output, CampaignInput const& input,
+/// What is known of the plan's blocks by the finished file or by blocks that were set aside. Of the first block of each
+/// place the rows of one wave are computed again and compared. \throws InputError if these rows differ
+[[nodiscard]] KeptPlaces find_known_blocks(std::filesystem::path const& output, CampaignInput const& input,
                                            CampaignSpec const& spec, Plan const& plan,
                                            store::ShardFolder const& shards);
 
-/// The rest of it, for whoever computes the other blocks. \param text of KeptPlaces; empty: nothing is known
+/// Their rows, for every rank. \param text of KeptPlaces; empty: nothing is known
 [[nodiscard]] std::unique_ptr<KeptRows> kept_rows(std::string const& text, CampaignInput const& input,
                                                   CampaignSpec const& spec, Plan const& plan);
 

@@ -4,6 +4,7 @@
 #include <iterator>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "campaign/block_rows.hpp"
 #include "core/elapsed.hpp"
@@ -148,9 +149,37 @@ class Worker {
     // None: it is time to go, or another rank computed them meanwhile (are_there_).
     std::optional<std::vector<BlockRows>> run(std::span<std::int64_t const> blocks) {
         are_there_ = false;
+        auto const whole = std::ranges::find_if(blocks, [&](std::int64_t block) { return is_kept(block); });
+        return whole == blocks.end() ? computed(blocks) : with_kept(blocks);
+    }
+
+    [[nodiscard]] bool is_kept(std::int64_t block) const {
+        return what_.known != nullptr && what_.known->has_all(block);
+    }
+
+    std::optional<std::vector<BlockRows>> computed(std::span<std::int64_t const> blocks) {
         return run_blocks(
             what_.spec, what_.plan, blocks, seconds_, [&] { return keep_running() && !are_taken_over(blocks); },
             what_.known);
+    }
+
+    // Where an earlier campaign left all rows of some of them.
+    std::optional<std::vector<BlockRows>> with_kept(std::span<std::int64_t const> blocks) {
+        std::vector<BlockRows> all;
+        for (std::size_t i = 0; i < blocks.size(); ++i) {
+            if (!is_kept(blocks[i])) {
+                auto rows = computed(blocks.subspan(i, 1));
+                if (!rows) {
+                    return std::nullopt;
+                }
+                all.push_back(std::move(rows->front()));
+            } else if (keep_running()) {
+                all.push_back(what_.known->block(blocks[i]));
+            } else {
+                return std::nullopt;
+            }
+        }
+        return all;
     }
 
     // Has another rank computed the blocks under way? Only where none is left to be given out.

@@ -32,6 +32,7 @@
 #include "campaign/plan.hpp"
 #include "campaign/trial.hpp"
 #include "parallel/communicator.hpp"
+#include "runner/detail/earlier_rows.hpp"
 #include "runner/progress.hpp"
 #include "runner/stop_policy.hpp"
 #include "store/shards.hpp"
@@ -45,12 +46,12 @@ struct WorkDone {
     void add(WorkDone const& more);
 };
 
-/// Work of a rank: the campaign, the folder for its blocks, and the known trials.
+/// Work of a rank: the campaign, the folder for its blocks, and the rows that earlier campaigns left.
 struct Work {
     CampaignSpec const& spec;
     Plan const& plan;
     store::ShardFolder const& shards;
-    KnownTrials const* known = nullptr;
+    KeptRows const* known = nullptr;
 };
 
 /// Computes and commits the blocks `left` until none is left or it is time to go. Collective.
