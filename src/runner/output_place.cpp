@@ -124,7 +124,7 @@ bool take_over(store::ShardFolder const& shards, CampaignInput const& begun, Cam
         refuse_other(begun, input, shards.folder().string());
         return false;
     }
-    if (begun.block_key() != input.block_key() && !shards.holds_blocks() && shards.aside().empty()) {
+    if (request.extend && begun.block_key() != input.block_key() && !shards.holds_blocks() && shards.aside().empty()) {
         shards.begin_again(input.serialise());  // it was stopped before its first block
         return true;
     }
