@@ -61,14 +61,13 @@ class Choice {
         if (method == Method::crude) {
             crude(all);
         } else if (method == Method::pulse_mixture) {
-            constexpr std::int64_t few = 200;
-            auto const places = parted(all, few);
+            auto const places = parted(all, certain_look);
             crude(places.nearly_certain);
             if (!places.others.empty()) {
                 mixture(places.others);
             }
             for (auto& made : made_) {
-                made.runs += few;
+                made.runs += certain_look;
             }
         } else {
             for (auto const f : all) {
@@ -127,14 +126,13 @@ class Choice {
 
     // Plain trials at all factors; answers those that are common. \return the others
     Places look() {
-        constexpr std::int64_t trials = 4000;
         DrawKey const key{.seed = request_.seed, .problem = request_for(0).problem, .phase = Phase::scout, .level = 99};
         Named workers(workers_, "look");
-        plain_ = count_failures(problem_, factors_, key, 0, trials, "plain", workers);
+        plain_ = count_failures(problem_, factors_, key, 0, plain_look, "plain", workers);
         Places common;
         Places rare;
         for (std::size_t f = 0; f < factors_.size(); ++f) {
-            bool const often = static_cast<double>(plain_[f].failed) >= common_probability * trials;
+            bool const often = static_cast<double>(plain_[f].failed) >= common_probability * plain_look;
             (often ? common : rare).push_back(f);
         }
         crude(common);

@@ -1,6 +1,7 @@
 /// The estimator that a problem calls for, and another one where the first cannot be trusted.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +14,8 @@ namespace overturn::rare {
 
 /// From here on plain trials are as good as anything.
 inline constexpr double common_probability = 1e-2;
+/// Plain waves by which the mixture, where it is asked for, finds factors at which nearly all fail.
+inline constexpr std::int64_t certain_look = 200;
 
 /// Record of the stages behind the estimates: enough to draw every trial again.
 struct Record {

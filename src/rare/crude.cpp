@@ -89,9 +89,8 @@ std::vector<Count> count_failures(Problem const& problem, std::span<double const
 
 std::vector<Estimate> estimate_crude(Problem const& problem, std::span<double const> factors, Request const& request,
                                      Workforce& workers) {
-    constexpr std::int64_t at_first = 4000;
     DrawKey const key{.seed = request.seed, .problem = request.problem, .phase = Phase::crude};
-    std::int64_t done = std::min(at_first, request.max_runs);
+    std::int64_t done = std::min(plain_look, request.max_runs);
     auto counts = count_failures(problem, factors, key, 0, done, "crude-0", workers);
     constexpr int rounds = 6;  // an early guess of a small probability is coarse
     for (int round = 1; round < rounds; ++round) {

@@ -34,6 +34,9 @@ struct Request {
 /// Fewer failures than this say no more than a bound.
 inline constexpr std::int64_t fewest_failures = 10;
 
+/// Waves of the first look at a factor by plain trials.
+inline constexpr std::int64_t plain_look = 4000;
+
 /// The same waves for all factors, as many as the rarest of them needs, within max_runs.
 [[nodiscard]] std::vector<Estimate> estimate_crude(Problem const& problem, std::span<double const> factors,
                                                    Request const& request, Workforce& workers);

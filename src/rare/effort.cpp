@@ -8,6 +8,7 @@
 #include "rare/automatic.hpp"
 #include "rare/detail/answer_items.hpp"
 #include "rare/detail/answer_row.hpp"
+#include "rare/detail/scout.hpp"
 #include "rare/detail/subset_run.hpp"
 #include "rare/pulse_mixture.hpp"
 #include "rare/subset.hpp"
@@ -15,10 +16,7 @@
 namespace overturn::rare {
 namespace {
 
-// As the estimators have them.
-constexpr double plain_waves = 4000;    // plain waves of `auto`, and crude's first ones
-constexpr double nearly_certain = 200;  // plain waves of the mixture, where it is asked for
-constexpr double an_attempt = 2048;     // waves of an attempt to find where failure is common
+constexpr double an_attempt = scout_trials;
 constexpr double levels_an_attempt =
     2;  // each is 15 % stronger, which makes type B's failures a hundred times as common
 // Variance of a replicate's estimate over its square, of each level: campaigns/rare_events.toml met a c.o.v. of 0.25
@@ -54,7 +52,7 @@ Effort crude_effort(std::span<Sounding const> all, Request const& request) {
     }
     auto const needed = [&](double times) {
         double const p = std::min(1.0, times * rarest);
-        return std::max(plain_waves, p > 0 ? crude_runs_for(p, request.target_cov) : HUGE_VAL);
+        return std::max<double>(plain_look, p > 0 ? crude_runs_for(p, request.target_cov) : HUGE_VAL);
     };
     return within({needed(decade_off), needed(1), needed(1 / decade_off)}, request, static_cast<double>(all.size()));
 }
@@ -106,7 +104,7 @@ Effort automatic_effort(std::span<Sounding const> all, bool pulses, Request cons
     for (auto const& sounding : all) {
         (sounding.probability >= common_probability ? common : rare).push_back(sounding);
     }
-    double const look = plain_waves * static_cast<double>(all.size());
+    double const look = plain_look * static_cast<double>(all.size());
     Effort effort{look, look, look};
     effort += crude_effort(common, request);
     Effort subsets;
@@ -175,7 +173,7 @@ Effort effort_of(std::span<Sounding const> soundings, bool pulses, std::optional
     if (method == Method::crude) {
         effort = crude_effort(soundings, request);
     } else if (method == Method::pulse_mixture) {
-        double const look = nearly_certain * static_cast<double>(soundings.size());
+        double const look = certain_look * static_cast<double>(soundings.size());
         effort = {look, look, look};
         effort += mixture_effort(soundings, request);
     } else {

@@ -55,13 +55,12 @@ double missed_by_driver(std::span<AnswerRow const> rows, std::int64_t failed) {
 }  // namespace
 
 Scouted scout(Problem const& problem, double factor, Request const& request, Workforce& workers) {
-    constexpr std::int64_t trials = 2048;
     constexpr double common = 0.05;
     constexpr double raise = 1.15;
     constexpr std::uint64_t attempts = 40;
     Scouted found{.factor = factor};
     for (std::uint64_t attempt = 0; attempt < attempts; ++attempt) {
-        if (found.runs + trials > request.max_runs) {
+        if (found.runs + scout_trials > request.max_runs) {
             found.reason = fmt::format(
                 "failure is not common at {:.3g} times the level, and more waves are not allowed "
                 "(max_runs {})",
@@ -69,11 +68,11 @@ Scouted scout(Problem const& problem, double factor, Request const& request, Wor
             return found;
         }
         DrawKey const key{.seed = request.seed, .problem = request.problem, .phase = Phase::scout, .level = attempt};
-        auto const rows = look(problem, found.factor, key, trials, workers);
-        found.runs += trials;
+        auto const rows = look(problem, found.factor, key, scout_trials, workers);
+        found.runs += scout_trials;
         found.count = count_of(rows);
         found.at_first = attempt == 0 ? found.count : found.at_first;
-        if (static_cast<double>(found.count.failed) >= common * static_cast<double>(trials)) {
+        if (static_cast<double>(found.count.failed) >= common * static_cast<double>(scout_trials)) {
             found.missed = missed_by_driver(rows, found.count.failed);
             found.found = true;
             return found;

@@ -1,6 +1,7 @@
 /// A first look at a limit state: the factor at which it is common, and whether its driver leads there.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "rare/crude.hpp"
@@ -19,6 +20,9 @@ struct Scouted {
 
 /// Largest share of failures that a nested driver may miss. Peak energy misses none, window energy a third.
 inline constexpr double most_missed = 0.02;
+
+/// Waves of an attempt at one factor.
+inline constexpr std::int64_t scout_trials = 2048;
 
 /// Raises the factor from `factor` on by a seventh at a time until one wave in twenty fails. Plain trials.
 [[nodiscard]] Scouted scout(Problem const& problem, double factor, Request const& request, Workforce& workers);
