@@ -6,12 +6,10 @@
 #include <complex>
 #include <functional>
 
-#include <gsl/gsl_randist.h>
-
-#include "core/random_stream.hpp"
 #include "generators/detail/aftershock.hpp"
 #include "generators/detail/baseline.hpp"
 #include "generators/detail/components.hpp"
+#include "generators/detail/line_draws.hpp"
 #include "generators/detail/noise_keys.hpp"
 #include "generators/detail/point_density.hpp"
 #include "generators/detail/real_fft.hpp"
@@ -33,7 +31,7 @@ struct FilteredNoiseInput {
     double time_step_s = 0.01;
     std::size_t samples = 0;
     Envelope envelope;
-    bool gaussian = true;
+    LineAmplitudes amplitudes = LineAmplitudes::gaussian;
     struct Further {
         FurtherComponent component;
         double ratio, correlation;
@@ -46,7 +44,7 @@ class FilteredNoise : public WaveSource {
     explicit FilteredNoise(FilteredNoiseInput const& input)
         : fft_(RealFft::good_length(input.samples)),
           time_step_s_(input.time_step_s),
-          gaussian_(input.gaussian),
+          amplitudes_(input.amplitudes),
           further_(input.further),
           envelope_(input.envelope.samples(input.time_step_s, input.samples)) {
         double const spacing = 2 * pi / (time_step_s_ * static_cast<double>(fft_.length()));
@@ -93,7 +91,7 @@ class FilteredNoise : public WaveSource {
             Lines own(line_amplitude_.size());
             for (std::size_t k = 1; k <= lines; ++k, taken += 2) {
                 std::complex<double> const z(normals[taken], normals[taken + 1]);
-                own[k] = line_amplitude_[k] * (gaussian_ ? z * std::sqrt(0.5) : z / std::abs(z));
+                own[k] = line_amplitude_[k] * (is_gaussian() ? z * std::sqrt(0.5) : z / std::abs(z));
             }
             return own;
         };
@@ -103,7 +101,7 @@ class FilteredNoise : public WaveSource {
     [[nodiscard]] std::size_t components() const { return 1 + further_.size(); }
     [[nodiscard]] std::vector<double> const& line_amplitude() const { return line_amplitude_; }
     [[nodiscard]] double spacing_radps() const { return 2 * pi / (time_step_s_ * static_cast<double>(fft_.length())); }
-    [[nodiscard]] bool is_gaussian() const { return gaussian_; }
+    [[nodiscard]] bool is_gaussian() const { return amplitudes_ == LineAmplitudes::gaussian; }
 
     [[nodiscard]] std::string pgd_drift() const override {
         return "the envelope puts energy of filtered noise at long periods: its displacement grows with the duration";
@@ -126,14 +124,9 @@ class FilteredNoise : public WaveSource {
     }
 
     [[nodiscard]] Lines drawn(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) const {
-        RandomStream phases(seed, wave, Purpose::wave_phase, component);
-        RandomStream amplitudes(seed, wave, Purpose::wave_amplitude, component);
-        Lines lines(line_amplitude_.size());
-        for (std::size_t k = 1; k < lines.size(); ++k) {
-            double const scatter = gaussian_ ? gsl_ran_rayleigh(amplitudes.gsl(), std::sqrt(0.5)) : 1.0;
-            lines[k] = std::polar(scatter * line_amplitude_[k], gsl_ran_flat(phases.gsl(), 0, 2 * pi));
-        }
-        return lines;
+        return draw_lines({.phases = {seed, wave, Purpose::wave_phase, component},
+                           .amplitudes = {seed, wave, Purpose::wave_amplitude, component}},
+                          line_amplitude_, amplitudes_);
     }
 
     [[nodiscard]] std::vector<double> shaped(Lines const& lines, double ratio) const {
@@ -149,7 +142,7 @@ class FilteredNoise : public WaveSource {
 
     RealFft fft_;
     double time_step_s_;
-    bool gaussian_;
+    LineAmplitudes amplitudes_;
     std::vector<FilteredNoiseInput::Further> further_;
     std::vector<double> envelope_;
     std::vector<double> line_amplitude_;
@@ -256,7 +249,8 @@ std::unique_ptr<WaveSource> make_filtered_noise(config::Table const& waves, Inpu
     auto const model = waves.choice(noise_keys["model"], std::span<config::Entry<NoiseModel> const>(noise_models));
     input.shape =
         model == NoiseModel::points ? read_points(waves, files) : read_ground(waves, model, input.time_step_s);
-    input.gaussian = waves.choice(noise_keys["amplitudes"], std::span<config::Entry<bool> const>(noise_amplitudes));
+    input.amplitudes =
+        waves.choice(noise_keys["amplitudes"], std::span<config::Entry<LineAmplitudes> const>(noise_amplitudes));
     double const duration = input.time_step_s * static_cast<double>(input.samples - 1);
     input.envelope = read_envelope(waves.child_or_empty(noise_keys["envelope"]), duration);
     for (auto const& component : further_components) {

@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "generators/detail/components.hpp"
 #include "generators/detail/filtered_noise.hpp"
+#include "generators/detail/line_draws.hpp"
 #include "generators/detail/point_density.hpp"
 #include "generators/envelope.hpp"
 #include "generators/wave_source.hpp"
@@ -21,8 +22,8 @@ inline constexpr std::array noise_models{
     config::Entry<NoiseModel>{"points", "a power spectral density of the user's own", NoiseModel::points},
 };
 inline constexpr std::array noise_amplitudes{
-    config::Entry<bool>{"gaussian", "random phases and amplitudes", true},
-    config::Entry<bool>{"fixed", "random phases only", false},
+    config::Entry<LineAmplitudes>{"gaussian", "random phases and amplitudes", LineAmplitudes::gaussian},
+    config::Entry<LineAmplitudes>{"fixed", "random phases only", LineAmplitudes::fixed},
 };
 
 inline constexpr config::Range filter_dampings{.low = 0, .high = 10, .low_open = true};

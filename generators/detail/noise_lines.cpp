@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numeric>
 
-#include <gsl/gsl_randist.h>
-
 #include "generators/detail/spectral_density.hpp"
 
 namespace overturn {
@@ -45,7 +43,7 @@ class AtLines {
 NoiseLines::NoiseLines(NoiseInput const& input)
     : time_step_s_(input.time_step_s),
       longest_s_(input.longest_s),
-      gaussian_(input.amplitudes == LineAmplitudes::gaussian),
+      amplitudes_(input.amplitudes),
       fft_(RealFft::good_length(input.samples)),
       spacing_radps_(2 * pi / (time_step_s_ * static_cast<double>(fft_.length()))),
       envelope_(input.envelope.samples(input.time_step_s, input.samples)),
@@ -70,20 +68,11 @@ NoiseLines::NoiseLines(NoiseInput const& input)
     first_ = std::find_if(amplitude_.begin(), amplitude_.end(), [](double a) { return a > 0; }) - amplitude_.begin();
 }
 
-Lines NoiseLines::draw(RandomStream& phases, RandomStream& amplitudes, std::size_t count) const {
-    Lines lines(std::min(count, amplitude_.size()));
-    for (std::size_t k = 1; k < lines.size(); ++k) {
-        double const scatter = gaussian_ ? gsl_ran_rayleigh(amplitudes.gsl(), std::sqrt(0.5)) : 1.0;
-        lines[k] = std::polar(scatter * amplitude_[k], gsl_ran_flat(phases.gsl(), 0, 2 * pi));
-    }
-    return lines;
-}
-
 Lines NoiseLines::from_normals(std::span<double const> normals) const {
     Lines lines(amplitude_.size());
     for (std::size_t k = 1; k < lines.size(); ++k) {
         std::complex<double> const z(normals[2 * k - 2], normals[2 * k - 1]);
-        lines[k] = amplitude_[k] * (gaussian_ ? z * std::sqrt(0.5) : z / std::abs(z));
+        lines[k] = amplitude_[k] * (is_gaussian() ? z * std::sqrt(0.5) : z / std::abs(z));
     }
     return lines;
 }

@@ -1,23 +1,18 @@
 /// The noise that spectrum-compatible waves are drawn from: Fourier lines whose power fits a target, under an envelope.
 #pragma once
 
-#include <complex>
+#include <algorithm>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "core/random_stream.hpp"
 #include "generators/detail/high_pass_baseline.hpp"
+#include "generators/detail/line_draws.hpp"
 #include "generators/detail/real_fft.hpp"
 #include "generators/envelope.hpp"
 #include "spectra/target_spectrum.hpp"
 
 namespace overturn {
-
-using Lines = std::vector<std::complex<double>>;
-
-/// fixed: every line has its mean-square amplitude (Shinozuka and Deodatis 1991); gaussian: amplitudes scatter as those
-/// of Gaussian noise do.
-enum class LineAmplitudes { fixed, gaussian };
 
 struct NoiseInput {
     TargetSpectrum target;
@@ -36,14 +31,14 @@ class NoiseLines {
     explicit NoiseLines(NoiseInput const& input);
 
     /// The first `count` lines of a draw.
-    [[nodiscard]] Lines draw(RandomStream& phases, RandomStream& amplitudes, std::size_t count) const;
-    [[nodiscard]] Lines draw(RandomStream& phases, RandomStream& amplitudes) const {
-        return draw(phases, amplitudes, amplitude_.size());
+    [[nodiscard]] Lines draw(LineStreams const& streams, std::size_t count) const {
+        return draw_lines(streams, std::span(amplitude_).first(std::min(count, amplitude_.size())), amplitudes_);
     }
+    [[nodiscard]] Lines draw(LineStreams const& streams) const { return draw(streams, amplitude_.size()); }
 
     /// The lines that pairs of standard normals give, the first pair line 1: distributed as draw's.
     [[nodiscard]] Lines from_normals(std::span<double const> normals) const;
-    [[nodiscard]] bool is_gaussian() const { return gaussian_; }
+    [[nodiscard]] bool is_gaussian() const { return amplitudes_ == LineAmplitudes::gaussian; }
 
     /// The wave, envelope and baseline included.
     [[nodiscard]] std::vector<double> synthesise(Lines const& lines, std::span<double const> envelope) const;
@@ -73,7 +68,7 @@ class NoiseLines {
 
   private:
     double time_step_s_, longest_s_;
-    bool gaussian_;
+    LineAmplitudes amplitudes_;
     RealFft fft_;
     double spacing_radps_;
     std::vector<double> envelope_;

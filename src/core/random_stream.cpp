@@ -12,8 +12,9 @@ namespace overturn {
 gsl_rng_type const RandomStream::type = {
     "threefry4x64-20", std::numeric_limits<unsigned long>::max(), 0, sizeof(State), &refuse_seed, &next, &next_unit};
 
-RandomStream::RandomStream(std::uint64_t seed, std::uint64_t wave, Purpose purpose, std::uint64_t index)
-    : state_{{seed, wave, static_cast<std::uint64_t>(purpose), index}, 0, {}, 0}, rng_{&type, &state_} {}
+RandomStream::RandomStream(StreamKey const& key)
+    : state_{{key.seed, key.wave, static_cast<std::uint64_t>(key.purpose), key.index}, 0, {}, 0},
+      rng_{&type, &state_} {}
 
 unsigned long RandomStream::next(void* state) {
     auto& s = *static_cast<State*>(state);

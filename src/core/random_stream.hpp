@@ -28,12 +28,20 @@ enum class Purpose : std::uint64_t {
     shape_test = 13,
 };
 
+/// What all numbers of a stream follow from.
+struct StreamKey {
+    std::uint64_t seed = 0, wave = 0;
+    Purpose purpose = Purpose::wave_phase;
+    std::uint64_t index = 0;  ///< separates streams of one purpose within one wave: a motion's component, a body
+};
+
 /// A Threefry4x64-20 counter stream (Salmon et al., SC'11) behind GSL's generator interface, so that every
 /// distribution is GSL's. Making one costs nanoseconds; make one where it is needed, share none.
 class RandomStream {
   public:
-    /// \param index separates streams of one purpose within one wave: the component of a motion, the body of a scatter.
-    RandomStream(std::uint64_t seed, std::uint64_t wave, Purpose purpose, std::uint64_t index = 0);
+    explicit RandomStream(StreamKey const& key);
+    RandomStream(std::uint64_t seed, std::uint64_t wave, Purpose purpose, std::uint64_t index = 0)
+        : RandomStream(StreamKey{seed, wave, purpose, index}) {}
 
     /// For GSL's distributions; valid as long as this object stays where it is.
     [[nodiscard]] gsl_rng* gsl() { return &rng_; }

@@ -50,9 +50,7 @@ struct Parts {
     std::vector<double> wave;
 
     Parts() {
-        RandomStream phases(1, 1, Purpose::wave_phase);
-        RandomStream amplitudes(1, 1, Purpose::wave_amplitude);
-        lines = noise.draw(phases, amplitudes);
+        lines = noise.draw({{1, 1, Purpose::wave_phase}, {1, 1, Purpose::wave_amplitude}});
         wave = noise.synthesise(lines, noise.envelope());
     }
 };
@@ -60,9 +58,8 @@ struct Parts {
 void draw(benchmark::State& state) {
     Parts const parts;
     for ([[maybe_unused]] auto _ : state) {
-        RandomStream phases(1, 1, Purpose::wave_phase);
-        RandomStream amplitudes(1, 1, Purpose::wave_amplitude);
-        benchmark::DoNotOptimize(parts.noise.draw(phases, amplitudes).data());
+        benchmark::DoNotOptimize(
+            parts.noise.draw({{1, 1, Purpose::wave_phase}, {1, 1, Purpose::wave_amplitude}}).data());
     }
     count(state, static_cast<double>(state.iterations()));
 }

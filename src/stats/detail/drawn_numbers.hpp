@@ -10,8 +10,6 @@
 
 namespace overturn {
 
-/// The random bits of a stream come from Threefry4x64-20 of a counter (Salmon et al., SC'11), for eight counters side
-/// by side where the processor has room for them.
 class DrawnNumbers {
   public:
     /// Those of RandomStream(seed, wave, purpose, index), from its first on. \pre 0 < count < 2^32
@@ -22,7 +20,7 @@ class DrawnNumbers {
   private:
     static constexpr std::size_t counters = 32;  // at once; of each come four words
 
-    std::array<std::uint64_t, 4> key_;
+    StreamKey key_;
     std::uint64_t count_, scale_;
     std::uint64_t next_counter_ = 0;
     std::array<std::uint64_t, 4 * counters> words_{};

@@ -1,0 +1,194 @@
+#include "generators/detail/line_draws.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/units.hpp"
+#include "simd/stream_words.hpp"
+#include "simd/targets.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "generators/detail/line_draws.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target comes first: it includes this file once per instruction set
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace overturn::HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Real = hn::CappedTag<double, simd::counters_together>;
+using Word = hn::RebindToUnsigned<Real>;
+using Reals = hn::Vec<Real>;
+using Words = hn::Vec<Word>;
+
+HWY_INLINE Reals real(double x) { return hn::Set(Real(), x); }
+
+// The upper 53 bits times 2^-53, as RandomStream has it. They are put into the mantissas of 2^84 and 2^52 in two parts.
+HWY_INLINE Reals unit(Words bits) {
+    auto const with = [](Words part, std::uint64_t exponent) {
+        return hn::BitCast(Real(), hn::Or(part, hn::Set(Word(), exponent)));
+    };
+    auto const upper = with(hn::ShiftRight<43>(bits), 0x4530000000000000U);
+    auto const lower = with(hn::And(hn::ShiftRight<11>(bits), hn::Set(Word(), 0xFFFFFFFFU)), 0x4330000000000000U);
+    return hn::Mul(hn::Add(hn::Sub(upper, real(0x1p84 + 0x1p52)), lower), real(0x1p-53));
+}
+
+HWY_INLINE Reals product_sum(Reals a, Reals b, Reals c) { return hn::Add(hn::Mul(a, b), c); }
+
+struct Rest {
+    Reals value, error;  ///< |value + error| <= pi/4
+};
+
+// Sine and cosine of such a rest: the polynomials of FreeBSD's msun (Sun Microsystems 1993), in the order of musl.
+HWY_INLINE Reals sine_of(Rest x, hn::Mask<Real> exact) {
+    auto const z = hn::Mul(x.value, x.value);
+    auto const w = hn::Mul(z, z);
+    auto const outer =
+        hn::Mul(hn::Mul(z, w), product_sum(z, real(1.58969099521155010221e-10), real(-2.50507602534068634195e-08)));
+    auto const inner =
+        product_sum(z, product_sum(z, real(2.75573137070700676789e-06), real(-1.98412698298579493134e-04)),
+                    real(8.33333333332248946124e-03));
+    auto const r = hn::Add(inner, outer);
+    auto const v = hn::Mul(z, x.value);
+    auto const third = real(-1.66666666666666324348e-01);
+    auto const plain = hn::Add(x.value, hn::Mul(v, product_sum(z, r, third)));
+    auto const half = hn::Sub(hn::Mul(real(0.5), x.error), hn::Mul(v, r));
+    auto const corrected = hn::Sub(x.value, hn::Sub(hn::Sub(hn::Mul(z, half), x.error), hn::Mul(v, third)));
+    return hn::IfThenElse(exact, plain, corrected);
+}
+
+HWY_INLINE Reals cosine_of(Rest x) {
+    auto const z = hn::Mul(x.value, x.value);
+    auto const w = hn::Mul(z, z);
+    auto const low =
+        hn::Mul(z, product_sum(z, product_sum(z, real(2.48015872894767294178e-05), real(-1.38888888888741095749e-03)),
+                               real(4.16666666666666019037e-02)));
+    auto const high =
+        product_sum(z, product_sum(z, real(-1.13596475577881948265e-11), real(2.08757232129817482790e-09)),
+                    real(-2.75573143513906633035e-07));
+    auto const r = hn::Add(low, hn::Mul(hn::Mul(w, w), high));
+    auto const half = hn::Mul(real(0.5), z);
+    auto const one = hn::Sub(real(1), half);
+    auto const small = hn::Add(hn::Sub(hn::Sub(real(1), one), half), hn::Sub(hn::Mul(z, r), hn::Mul(x.value, x.error)));
+    return hn::Add(one, small);
+}
+
+struct Turn {
+    Reals cosine, sine;
+    bool close;  ///< to a multiple of pi/2, where more digits of pi are needed
+};
+
+// Of an angle between 0 and 2 pi: less n pi/2 (Cody and Waite, pi/2 in 33 bits and the rest), n = 0 to 4 by the upper
+// word of the angle.
+HWY_INLINE Turn turn_of(Reals angle) {
+    auto const upper = hn::ShiftRight<32>(hn::BitCast(Word(), angle));
+    auto const word = [](std::uint64_t x) { return hn::Set(Word(), x); };
+    auto n = hn::Zero(Word());
+    for (std::uint64_t const last : {0x3fe921fbU, 0x4002d97cU, 0x400f6a7aU, 0x4015fdbcU}) {  // odd multiples of pi/4
+        auto const beyond = hn::VecFromMask(Word(), hn::Gt(upper, word(last)));
+        n = hn::Sub(n, beyond);  // a mask is -1
+    }
+    auto close = hn::Eq(upper, word(0x3ff921fbU));
+    for (std::uint64_t const multiple : {0x400921fbU, 0x4012d97cU, 0x401921fbU}) {
+        close = hn::Or(close, hn::Eq(upper, word(multiple)));
+    }
+    auto const times = hn::Sub(hn::BitCast(Real(), hn::Or(n, word(0x4330000000000000U))), real(0x1p52));
+    auto const first = hn::Sub(angle, hn::Mul(times, real(1.57079632673412561417e+00)));
+    auto const more = hn::Mul(times, real(6.07710050650619224932e-11));
+    auto const value = hn::Sub(first, more);
+    Rest const rest{value, hn::Sub(hn::Sub(first, value), more)};
+    auto const s = sine_of(rest, hn::RebindMask(Real(), hn::Eq(n, hn::Zero(Word()))));
+    auto const c = cosine_of(rest);
+    auto const across = hn::RebindMask(Real(), hn::Ne(hn::And(n, word(1)), hn::Zero(Word())));
+    auto const sign = [&](Words quarter) { return hn::BitCast(Real(), hn::ShiftLeft<62>(hn::And(quarter, word(2)))); };
+    return {hn::Xor(hn::IfThenElse(across, s, c), sign(hn::Add(n, word(1)))),
+            hn::Xor(hn::IfThenElse(across, c, s), sign(n)), !hn::AllFalse(Word(), close)};
+}
+
+// cos(2 pi u) + i sin(2 pi u) of each word.
+void fill_turns(std::span<std::uint64_t const> words, std::complex<double>* turns) {
+    constexpr auto lanes = hn::MaxLanes(Real());
+    HWY_ALIGN std::array<double, lanes> angles;
+    for (std::size_t i = 0; i < words.size(); i += lanes, turns += lanes) {
+        auto const angle = hn::Mul(real(2 * pi), unit(hn::LoadU(Word(), words.data() + i)));
+        auto const turn = turn_of(angle);
+        hn::StoreInterleaved2(turn.cosine, turn.sine, Real(), reinterpret_cast<double*>(turns));
+        if (turn.close) {
+            hn::Store(angle, Real(), angles.data());
+            for (std::size_t lane = 0; lane < lanes; ++lane) {
+                turns[lane] = {std::cos(angles[lane]), std::sin(angles[lane])};
+            }
+        }
+    }
+}
+
+}  // namespace overturn::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace overturn {
+
+HWY_EXPORT(fill_turns);
+
+namespace {
+
+constexpr std::size_t together = 8 * simd::words_together;  // lines
+
+// Numbers of a stream above 0 and below 1, one by one.
+class UnitNumbers {
+  public:
+    explicit UnitNumbers(StreamKey const& key) : key_(key) {}
+
+    double next() {
+        for (;;) {
+            if (used_ == words_.size()) {
+                simd::stream_words(key_, counter_, words_);
+                counter_ += words_.size() / 4;
+                used_ = 0;
+            }
+            if (auto const number = static_cast<double>(words_[used_++] >> 11U) * 0x1p-53; number > 0) {
+                return number;
+            }
+        }
+    }
+
+  private:
+    StreamKey key_;
+    std::uint64_t counter_ = 0;
+    std::array<std::uint64_t, together> words_{};
+    std::size_t used_ = together;
+};
+
+}  // namespace
+
+void turns_of(std::span<std::uint64_t const> words, std::complex<double>* turns) {
+    OVERTURN_EXPECT(words.size() % simd::words_together == 0);
+    HWY_DYNAMIC_DISPATCH(fill_turns)(words, turns);
+}
+
+Lines draw_lines(LineStreams const& streams, std::span<double const> amplitude, LineAmplitudes kind) {
+    Lines lines(amplitude.size());
+    UnitNumbers scatters(streams.amplitudes);
+    double const sigma = std::sqrt(0.5);
+    std::array<std::uint64_t, together> words;
+    std::array<std::complex<double>, together> turns;
+    for (std::size_t first = 1; first < lines.size(); first += together) {
+        simd::stream_words(streams.phases, first / 4, words);
+        turns_of(words, turns.data());
+        auto const count = std::min(together, lines.size() - first);
+        for (std::size_t i = 0; i < count; ++i) {
+            double const scatter =
+                kind == LineAmplitudes::gaussian ? sigma * std::sqrt(-2 * std::log(scatters.next())) : 1.0;
+            double const size = scatter * amplitude[first + i];
+            lines[first + i] = {size * turns[i].real(), size * turns[i].imag()};
+        }
+    }
+    return lines;
+}
+
+}  // namespace overturn
+#endif
