@@ -83,11 +83,40 @@ struct Ended {
     std::string err_lines = {};  ///< the same as it was printed
 };
 
+/// A process as /proc/PID/stat has it: its state ('Z': ended, and nobody took note) and the process that started it.
+struct ProcessState {
+    char state = 'X';
+    pid_t parent = 0;
+};
+
+inline ProcessState state_of(std::filesystem::path const& process) {
+    auto const stat = read_text(process / "stat");
+    auto const name_end = stat.rfind(')');
+    return name_end == std::string::npos ? ProcessState{}
+                                         : ProcessState{stat[name_end + 2], std::atoi(stat.c_str() + name_end + 4)};
+}
+
+/// The processes that `parent` started: the ranks of a local mpirun.
+inline std::vector<pid_t> children_of(pid_t parent) {
+    std::vector<pid_t> children;
+    std::error_code error;
+    for (auto const& entry : std::filesystem::directory_iterator("/proc", error)) {
+        if (!std::isdigit(entry.path().filename().string()[0])) {
+            continue;
+        }
+        if (state_of(entry.path()).parent == parent) {
+            children.push_back(std::atoi(entry.path().filename().c_str()));
+        }
+    }
+    return children;
+}
+
 /// A program under way in a folder.
 class Running {
   public:
     Running(Folder const& folder, std::vector<std::string> arguments) {
         static int number = 0;
+        launches_ = arguments[0] == OVERTURN_MPIRUN;
         auto const name = ".output-" + std::to_string(++number);
         out_ = folder / (name + ".out");
         err_ = folder / (name + ".err");
@@ -122,17 +151,43 @@ class Running {
     void signal(int number) const { ::kill(pid_, number); }
     [[nodiscard]] pid_t pid() const { return pid_; }
 
+    /// mpirun of Open MPI 4.1.4 may wait for ever for a lock of its own after one of its ranks was killed (1 of 150
+    /// runs, in PMIx_server_finalize): so it is killed half a minute after the last of them has ended.
     Ended wait() {
+        using Clock = std::chrono::steady_clock;
         int status = 0;
-        ::waitpid(pid_, &status, 0);
+        auto looked = Clock::now(), last_seen = looked;
+        while (launches_ && ::waitpid(pid_, &status, WNOHANG) == 0) {
+            auto const now = Clock::now();
+            if (now - looked > std::chrono::seconds(1)) {
+                looked = now;
+                last_seen = has_working_ranks() ? now : last_seen;
+            }
+            if (now - last_seen > std::chrono::seconds(30)) {
+                ::kill(pid_, SIGKILL);
+                launches_ = false;
+            }
+            std::this_thread::sleep_for(std::chrono::milliseconds(2));
+        }
+        if (!launches_) {
+            ::waitpid(pid_, &status, 0);
+        }
         pid_ = -1;
         auto const err = read_text(err_);
         return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), read_text(out_), unwrapped(err), err};
     }
 
   private:
+    [[nodiscard]] bool has_working_ranks() const {
+        return std::ranges::any_of(children_of(pid_), [](pid_t rank) {
+            auto const state = state_of("/proc/" + std::to_string(rank)).state;
+            return state != 'Z' && state != 'X';
+        });
+    }
+
     std::filesystem::path out_, err_;
     pid_t pid_ = -1;
+    bool launches_ = false;  ///< ranks
 };
 
 inline Ended execute(Folder const& folder, std::vector<std::string> arguments) {
@@ -183,23 +238,6 @@ inline int blocks_done(Folder const& folder, std::string const& output) {
         count += at->path().filename().string().ends_with(".block") ? 1 : 0;
     }
     return count;
-}
-
-/// The processes that `parent` started: the ranks of a local mpirun.
-inline std::vector<pid_t> children_of(pid_t parent) {
-    std::vector<pid_t> children;
-    std::error_code error;
-    for (auto const& entry : std::filesystem::directory_iterator("/proc", error)) {
-        if (!std::isdigit(entry.path().filename().string()[0])) {
-            continue;
-        }
-        auto const stat = read_text(entry.path() / "stat");
-        auto const name_end = stat.rfind(')');
-        if (name_end != std::string::npos && std::atoi(stat.c_str() + name_end + 4) == parent) {
-            children.push_back(std::atoi(stat.c_str()));
-        }
-    }
-    return children;
 }
 
 /// Exactly one line, of the form `overturn: problem (why) what to do`.
