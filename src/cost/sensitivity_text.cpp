@@ -67,6 +67,19 @@ bool moves_nothing(SensitivityRow const& row) {
     });
 }
 
+std::string no_effect(Sensitivity const& study) {
+    if (study.inputs.empty()) {
+        return study.unvaried.empty() ? "No value is marked as assumed: none was changed."
+                                      : "No assumed value was changed; the reasons are below.";
+    }
+    bool const identified = std::ranges::any_of(study.rows, [](SensitivityRow const& row) {
+        return std::ranges::any_of(row.ends, [](auto const& end) { return end && end->median_ratio; });
+    });
+    return identified ? fmt::format("No assumed value changes a median significantly ({} waves).", study.waves)
+                      : fmt::format("The effect of assumed values on medians is not known: {} waves identify none.",
+                                    study.waves);
+}
+
 // The significant change of a median that is the largest as a factor.
 std::string largest_effect(Sensitivity const& study) {
     std::string text;
@@ -96,8 +109,7 @@ std::string largest_effect(Sensitivity const& study) {
     bool const coarse = std::ranges::any_of(study.rows, [](SensitivityRow const& row) {
         return std::ranges::any_of(row.ends, [](auto const& end) { return end && end->levels_too_coarse; });
     });
-    text = text.empty() ? fmt::format("No assumed value changes a median significantly ({} waves).", study.waves)
-                        : text + ".";
+    text = text.empty() ? no_effect(study) : text + ".";
     return text
            + (coarse ? " Not resolved where levels are coarse: at most one has both outcomes. State more levels." : "");
 }
@@ -148,8 +160,8 @@ std::string sensitivity_text(Sensitivity const& study) {
     for (auto const& input : study.unvaried) {
         text += wrapped(fmt::format("not changed: {} = {} ({})", input.key, input.value, input.why), 4);
     }
-    if (study.inputs.empty()) {
-        text += "No value is marked as assumed. Mark assumed values with basis = \"assumed\".\n";
+    if (study.inputs.empty() && study.unvaried.empty()) {
+        text += "Mark assumed values with basis = \"assumed\".\n";
     }
     return text;
 }

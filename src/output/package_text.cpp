@@ -78,10 +78,13 @@ std::string circumstances(Json const& record, std::string const& maker) {
 
 CheckRow verification(Json const& record, std::string const& maker) {
     bool const passed = record.at("passed").get<bool>();
-    auto const rare = count_at(record, "rare");
-    auto result =
-        fmt::format("{} trials and {} waves recomputed", count_at(record, "trials"), count_at(record, "waves"));
-    result += rare > 0 ? fmt::format(", {} rows of rare events", rare) : "";
+    auto const rows = [&](char const* key) {
+        auto const all = record.value(std::string("stored_") + key, std::int64_t{0});  // not in older records
+        auto const some = count_at(record, key);
+        return some < all ? fmt::format("{} of {}", some, all) : fmt::format("{}", some);
+    };
+    auto result = fmt::format("{} trials and {} waves recomputed", rows("trials"), rows("waves"));
+    result += count_at(record, "rare") > 0 ? fmt::format(", {} rows of rare events", rows("rare")) : "";
     result += record.at("sample").is_null() ? "" : ", drawn at random";
     result += passed ? ": all bit-equal"
                      : fmt::format(": {} trials and {} waves DIFFER, first {}", count_at(record, "differing_trials"),
@@ -111,9 +114,11 @@ CheckRow sensitivity(Json const& record) {
     std::string largest;
     double change = 0;
     bool coarse = false;
+    bool identified = false;
     for (auto const& row : record.at("rows")) {
         coarse = coarse || row.value("levels_too_coarse", false);
         auto const& ratio = row.at("median_ratio");
+        identified = identified || ratio.is_number();
         if (ratio.is_number() && row.at("resolved").get<bool>()
             && std::abs(ratio.get<double>() - 1) > std::abs(change)) {
             change = ratio.get<double>() - 1;
@@ -122,9 +127,28 @@ CheckRow sensitivity(Json const& record) {
                             text_at(row, "moved_to"), text_at(row, "body"), 100 * change);
         }
     }
-    auto result = largest.empty() ? "no resolved change of a median" : "largest: " + largest;
-    result += coarse ? "; NOT RESOLVED for some values: levels are coarse, state more" : "";
-    return {named(RecordKind::sensitivity), result, sample_text(record.at("study").at(0)), false};
+    std::vector<std::string> found;
+    if (record.at("rows").empty()) {
+        found.emplace_back("no assumed value was changed");
+    } else if (!largest.empty()) {
+        found.push_back("largest: " + largest);
+    } else if (identified) {
+        found.emplace_back("no resolved change of a median");
+    } else if (!coarse) {
+        found.emplace_back("not known: these waves identify no median");
+    }
+    if (coarse) {
+        found.emplace_back("NOT RESOLVED for some values: levels are coarse, state more");
+    }
+    std::vector<std::string> not_changed;
+    for (auto const& input : record.value("not_moved", Json::array())) {
+        not_changed.push_back(text_at(input, "key"));
+    }
+    if (!not_changed.empty()) {
+        found.push_back(fmt::format("not changed: {}", fmt::join(not_changed, ", ")));
+    }
+    return {named(RecordKind::sensitivity), fmt::format("{}", fmt::join(found, "; ")),
+            sample_text(record.at("study").at(0)), false};
 }
 
 }  // namespace

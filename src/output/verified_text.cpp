@@ -16,9 +16,18 @@
 namespace overturn::output {
 namespace {
 
-std::string counted(Verified const& found) {
-    return fmt::format("{} trials, {} waves{}", found.trials, found.waves,
-                       found.rare > 0 ? fmt::format(", {} rows of rare events", found.rare) : "");
+std::string share_of(std::int64_t some, std::int64_t all) {
+    return some < all ? fmt::format("{} of {}", some, all) : fmt::format("{}", some);
+}
+
+std::string counted(Json const& record) {
+    auto const of = [&](char const* rows) {
+        return share_of(record.at(rows).get<std::int64_t>(),
+                        record.at(std::string("stored_") + rows).get<std::int64_t>());
+    };
+    bool const has_rare = record.at("stored_rare").get<std::int64_t>() > 0;
+    return fmt::format("{} trials, {} waves{}", of("trials"), of("waves"),
+                       has_rare ? fmt::format(", {} rows of rare events", of("rare")) : "");
 }
 
 std::string differing(Verified const& found) {
@@ -57,6 +66,9 @@ Json verified_json(Verification const& of, store::ResultsReader const& file, Cam
             {"trials", found.trials},
             {"waves", found.waves},
             {"rare", found.rare},
+            {"stored_trials", found.stored_trials},
+            {"stored_waves", found.stored_waves},
+            {"stored_rare", found.stored_rare},
             {"differing_trials", found.differing_trials},
             {"differing_waves", found.differing_waves},
             {"differing_rare", found.differing_rare},
@@ -67,10 +79,10 @@ Json verified_json(Verification const& of, store::ResultsReader const& file, Cam
 
 std::string verified_text(Verification const& of, Verified const& found, Json const& json) {
     if (found.all_equal()) {
-        return fmt::format("{}: {} recomputed, all bit-equal to the stored rows{}\n", of.file, counted(found),
+        return fmt::format("{}: {} recomputed, all bit-equal to the stored rows{}\n", of.file, counted(json),
                            json.at("absent_columns").empty() ? "" : ", in the columns that the file has");
     }
-    return fmt::format("{}: {} recomputed, NOT all bit-equal: {}\n", of.file, counted(found), differing(found));
+    return fmt::format("{}: {} recomputed, NOT all bit-equal: {}\n", of.file, counted(json), differing(found));
 }
 
 std::vector<std::string> not_compared(Json const& json) {
@@ -87,7 +99,9 @@ std::string verified_page(Json const& json) {
     auto const text = [&](char const* key) { return json.at(key).get<std::string>(); };
     auto const number = [&](char const* key) { return json.at(key).get<std::int64_t>(); };
     bool const passed = json.at("passed").get<bool>();
-    RecordPage page{.title = passed ? "Verification: all rows are bit-equal" : "Verification: rows DIFFER",
+    RecordPage page{.title = !passed                       ? "Verification: rows DIFFER"
+                             : json.at("sample").is_null() ? "Verification: all rows are bit-equal"
+                                                           : "Verification: " + counted(json) + " are bit-equal",
                     .facts = {{"file", text("file")},
                               {"SHA-256", text("sha256")},
                               {"made by", text("made_by")},
@@ -112,9 +126,12 @@ std::string verified_page(Json const& json) {
     }
     for (auto const* of : {"trials", "waves", "rare"}) {
         auto const differ = number((std::string("differing_") + of).c_str());
-        page.rows.push_back(
-            {{differ == 0 ? "PASS" : "FAIL", of, fmt::format("{}", number(of)), fmt::format("{}", differ)},
-             differ == 0});
+        auto const stored = number((std::string("stored_") + of).c_str());
+        if (stored > 0) {
+            page.rows.push_back(
+                {{differ == 0 ? "PASS" : "FAIL", of, share_of(number(of), stored), fmt::format("{}", differ)},
+                 differ == 0});
+        }
     }
     return html_of(page);
 }

@@ -25,7 +25,8 @@ struct Verification {
 [[nodiscard]] Json verified_json(Verification const& of, store::ResultsReader const& file, CampaignSpec const& spec,
                                  Verified const& found);
 
-/// "c.h5: 200 trials, 10 waves recomputed, all bit-equal to the stored rows". \param json of verified_json
+/// "c.h5: 200 trials, 10 waves recomputed, all bit-equal to the stored rows"; of a sample "7 of 200 trials, 5 of
+/// 10 waves". \param json of verified_json
 [[nodiscard]] std::string verified_text(Verification const& of, Verified const& found, Json const& json);
 
 /// Columns that were not compared, a line for each reason. \param json of verified_json

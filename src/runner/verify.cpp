@@ -72,6 +72,14 @@ class Verifier {
         }
     }
 
+    void add_stored(Verified& sum) const {
+        sum.stored_trials = trials_;
+        sum.stored_waves = waves_;
+        for (auto const& replayer : rare_) {
+            sum.stored_rare += replayer->rows();
+        }
+    }
+
     [[nodiscard]] std::string found() const {
         return nlohmann::json{{"counts", counts_}, {"kind", first_.kind}, {"row", first_.row}, {"text", first_.text}}
             .dump();
@@ -84,10 +92,9 @@ class Verifier {
     };
 
     void draw(VerifyRequest const& request) {
-        std::int64_t all = trials_;
-        for (auto const& replayer : rare_) {
-            all += replayer->rows();
-        }
+        Verified stored;
+        add_stored(stored);
+        auto const all = stored.stored_trials + stored.stored_rare;
         validate(!request.sample || (*request.sample >= 1 && *request.sample <= all),
                  "--sample {} (the file has {} rows of trials). Choose from 1 to {}, or leave it out for all",
                  request.sample.value_or(0), all, all);
@@ -283,7 +290,12 @@ Verified verify_rows(store::ResultsReader const& file, CampaignSpec const& spec,
         }
     }
     auto const ranks = comm.gather(verifier.found());
-    return comm.is_root() ? together(ranks) : Verified{};
+    if (!comm.is_root()) {
+        return {};
+    }
+    auto sum = together(ranks);
+    verifier.add_stored(sum);
+    return sum;
 }
 
 }  // namespace overturn

@@ -138,6 +138,11 @@ TEST_F(CalculationPackage, AVerificationThatFailsIsReported) {
     auto const row = checks({"--record", "bad.json"})[0];
     EXPECT_TRUE(row.at("failed"));
     EXPECT_EQ(row.at("result"), "36 trials and 6 waves recomputed: 3 trials and 0 waves DIFFER, first trial 7");
+
+    auto const sample = overturn(*folder, {"verify", "c.h5", "--sample", "1", "--json"}).out;
+    folder->write("sample.json", sample);
+    EXPECT_EQ(checks({"--record", "sample.json"})[0].at("result"),
+              "1 of 36 trials and 1 of 6 waves recomputed, drawn at random: all bit-equal");
 }
 
 // R-902: what is no record of this file is refused by name.
@@ -202,7 +207,15 @@ TEST_F(CalculationPackage, StudiesOfCostAreListed) {
     ASSERT_EQ(overturn(*folder, {"run", "coarse.toml", "-o", "coarse.h5"}).code, 0);
     ASSERT_EQ(overturn(*folder, {"report", "coarse.h5", "-o", "q.html", "--record", "coarse.json"}).code, 0);
     EXPECT_EQ(json::parse(folder->read("q.html")).at("checks")[4].at("result"),
-              "no resolved change of a median; NOT RESOLVED for some values: levels are coarse, state more");
+              "NOT RESOLVED for some values: levels are coarse, state more");
+    // Nor where no value could be changed.
+    auto none = json::parse(folder->read("coarse.json"));
+    none["rows"] = json::array();
+    none["not_moved"] = json::parse(R"([{"key": "bodies[0].foot", "value": "a", "why": "a word"}])");
+    folder->write("none.json", none.dump());
+    ASSERT_EQ(overturn(*folder, {"report", "coarse.h5", "-o", "q.html", "--record", "none.json"}).code, 0);
+    EXPECT_EQ(json::parse(folder->read("q.html")).at("checks")[4].at("result"),
+              "no assumed value was changed; not changed: bodies[0].foot");
 }
 
 // Beside the worst trials of all: what came farthest at the design basis, by the rows of the file.

@@ -75,8 +75,18 @@ TEST_F(Verify, ASampleIsAsLargeAsAskedFor) {
     for (std::string const size : {"1", "7", "36"}) {
         auto const ended = overturn(folder, {"verify", "c.h5", "--sample", size});
         EXPECT_EQ(ended.code, 0) << ended.err;
-        EXPECT_EQ(ended.out.rfind("c.h5: " + size + " trials, ", 0), 0U) << ended.out;
+        auto const counted = size == "36" ? "36 trials, 6 waves recomputed" : size + " of 36 trials, ";
+        EXPECT_EQ(ended.out.rfind("c.h5: " + counted, 0), 0U) << ended.out;
     }
+    auto const asked = overturn(folder, {"verify", "c.h5", "--sample", "7", "--html", "v.html", "--json"});
+    auto const record = nlohmann::json::parse(asked.out);
+    EXPECT_EQ(record["stored_trials"], 36);
+    EXPECT_EQ(record["stored_waves"], 6);
+    auto const page = folder.read("v.html");
+    EXPECT_NE(page.find("Verification: 7 of 36 trials, "), std::string::npos);
+    EXPECT_EQ(page.find("all rows"), std::string::npos) << "of a sample";
+    EXPECT_NE(page.find("<td>7 of 36</td>"), std::string::npos);
+    EXPECT_EQ(page.find("<td>rare</td>"), std::string::npos) << "the file has none";
     for (std::string const size : {"0", "-1", "37"}) {
         auto const ended = overturn(folder, {"verify", "c.h5", "--sample", size});
         EXPECT_EQ(ended.code, 2) << size;

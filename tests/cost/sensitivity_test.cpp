@@ -233,6 +233,26 @@ TEST(Sensitivity, AnImpossibleEndIsReportedAsRefused) {
     EXPECT_NE(sensitivity_text(study).find("refused: "), std::string::npos);
 }
 
+// Where nothing was changed, or no median is known, the first sentence does not say that nothing has an effect.
+TEST(Sensitivity, WhatWasNotChangedHasNoKnownEffect) {
+    auto const first_line = [](std::string const& campaign) {
+        auto const told = sensitivity_text(study_sensitivity(input_from(campaign), 2, [](double, double) {}));
+        return told.substr(told.find('\n') + 1, 60);
+    };
+    auto const one = testing::quick_waves + testing::type_b + testing::levels("values=[0.1]\n");
+    EXPECT_EQ(first_line(one).rfind("No value is marked as assumed: none was changed.", 0), 0U) << first_line(one);
+
+    auto word = one;
+    word.insert(word.find("[levels]"), "restitution={value='housner', basis='assumed'}\n");
+    EXPECT_EQ(first_line(word).rfind("No assumed value was changed; the reasons are below.", 0), 0U)
+        << first_line(word);
+
+    auto resting = one;
+    resting.insert(resting.find("[levels]"), "friction={value=0.9, basis='assumed'}\n");
+    EXPECT_EQ(first_line(resting).rfind("The effect of assumed values on medians is not known: 2", 0), 0U)
+        << first_line(resting);
+}
+
 // From tan(alpha) = 0.4306 to 1.15 of it a body slides and rocks at once: there friction is moved, stated or not.
 TEST(Sensitivity, FrictionNearTheSlopeIsMovedWhateverItsSource) {
     auto const moves = [](std::string const& friction) {

@@ -49,4 +49,8 @@ def add_sensitivity(report):
                                        f"sensitivity of the median: {what}"))
         parts.append(table(f"sensitivity: {what}", ["input", "value", "changed to", "median", "P at the design basis"],
                            map(moved_row, rows), kind="words sortable"))
+    unchanged = study.get("not_moved", [])
+    if unchanged:
+        parts.append(table("assumed values that were not changed", ["input", "value", "why"],
+                           [[row["key"], row["value"], row["why"]] for row in unchanged], kind="words"))
     report.section("sensitivity", "Effect of assumed values", *parts)
