@@ -158,6 +158,7 @@ class Run {
 
     // Up to each stopping point, where all ranks wait for the answer; a part cannot know it and does all its blocks.
     bool draw_all() {
+        asked_ = committed_.size();  // what is drawn leaves out those
         for (auto const count : stopping_points(spec_, plan_)) {
             if (!draw(count)) {
                 return false;

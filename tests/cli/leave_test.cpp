@@ -106,6 +106,28 @@ TEST_F(Leaving, BeforeTheWalltimeIsUp) {
     FAIL() << "no block in 20 s";
 }
 
+// R-1102: a resumed run that stops counts all blocks of the campaign, and those of earlier runs among the done ones.
+TEST_F(Leaving, CountsBlocksOfEarlierRuns) {
+    write_short_blocks(100'000);
+    auto const stopped = [&](std::string const& text) {
+        std::int64_t done = -1, all = -1;
+        auto const at = std::min(text.find("stopped early: "), text.size());
+        (void)std::sscanf(text.c_str() + at, "stopped early: %ld of %ld blocks", &done, &all);
+        return std::pair(done, all);
+    };
+    std::vector<std::string> const words{"run", "c.toml", "--resume", "--max-walltime", "3 s"};
+    auto const [first, all] = stopped(overturn(folder, words).err);
+    auto const resumed = overturn(folder, words);
+    auto const [second, all_again] = stopped(resumed.err);
+    ASSERT_GE(first, 0);
+    EXPECT_EQ(all_again, all) << resumed.err;
+    EXPECT_GE(second, first) << resumed.err;
+    if (first > 0) {
+        EXPECT_NE(resumed.err.find(fmt::format("resuming c.h5: {} of {} blocks", first, all)), std::string::npos)
+            << resumed.err;
+    }
+}
+
 // R-1101: a rank that dies takes the job down within seconds, and what is committed stays.
 TEST_F(Leaving, WithinSecondsOfADeadRank) {
     write_short_blocks();
