@@ -226,6 +226,10 @@ BodySpec read_body(Table const& table, InputFiles& files) {
     auto const name = table.text(body_keys["name"]);
     auto const inner =
         table.named_document(table.located("file", [&]() -> std::string const& { return files.read(file); }), file);
+    table.located("file", [&] {
+        validate(!inner.has("waves") || inner.has("base_width"),
+                 "'{}' (a campaign: it states waves, and no base_width). Name a body's file", file);
+    });
     auto spec = config::with_all_faults(inner, [&] {
         auto stated = read_stated(inner, inner.text(body_keys["name"], "body"), old);
         if (!table.has("restitution") && !table.has("base") && !table.has("pad")) {

@@ -283,6 +283,9 @@ CampaignSpec read_campaign(Table const& root, CampaignInput const& input, InputF
 
 CampaignSpec parse_campaign(CampaignInput const& input, InputFiles& files) {
     auto const root = Table::parse(input.text, input.name, input.settings);
+    validate(!root.has("base_width") || root.has("waves"),
+             "{}: a body's file (it states base_width, and no waves). Name it in a campaign, as file of [[bodies]]",
+             input.name);
     root.described_by(campaign_table);
     root.may_have(campaign_table);
     auto spec = config::with_all_faults(root, [&] { return read_campaign(root, input, files); });

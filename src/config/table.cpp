@@ -1,6 +1,7 @@
 #include "config/table.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include <toml++/toml.h>
@@ -22,6 +23,14 @@ std::string_view kind_name(toml::node const& node) {
         return "true or false";
     }
     return node.is_array() ? "a list" : node.is_table() ? "a table" : "a date";
+}
+
+// A setting of the command line that is no number of TOML's, and taken for a text therefore.
+bool is_huge_integer(std::string_view text) {
+    auto const digits = text.substr(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
+    std::int64_t value = 0;
+    return !digits.empty() && digits.find_first_not_of("0123456789") == std::string_view::npos
+           && std::from_chars(digits.data(), digits.data() + digits.size(), value).ec == std::errc::result_out_of_range;
 }
 
 }  // namespace
@@ -195,6 +204,9 @@ std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t
     node_->check_read(key, Form::integer);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<std::int64_t>();
+        if (auto const text = node.value_exact<std::string>(); text && is_huge_integer(*text)) {
+            throw InputError(fmt::format("{} (must be {} to {}). Mend the value", *text, low, high));
+        }
         validate(value.has_value(), "{} (must be a whole number). Write it without {}", kind_name(node),
                  node.is_string() ? "quotes" : "a point");
         validate(*value >= low && *value <= high, "{} (must be {} to {}). Mend the value", *value, low, high);

@@ -99,6 +99,11 @@ TEST(BodySpec, FileWithOverrides) {
     testing::expect_input_error([&] { (void)body_of("file='none.toml'\n", files); }, "b.toml:1:", "none.toml");
     testing::expect_input_error(
         [&] {
+            (void)body_of("file='x.toml'\n", {{"x.toml", "seed=1\n[waves]\nsource='pulse'\n"}});
+        },
+        "b.toml:1:", "'x.toml' (a campaign: it states waves");
+    testing::expect_input_error(
+        [&] {
             (void)body_of("file='x.toml'\n", {{"x.toml", "mass=-1\nbase_width=1\n"}});
         },
         "x.toml:1:");

@@ -100,6 +100,15 @@ TEST(CampaignInput, AMissingAndAnAddedFileAreDifferences) {
     EXPECT_EQ(fewer.differences(base).size(), 1U);
 }
 
+// A body's file in a campaign's place is one fault, not one a key.
+TEST(CampaignInput, ABodysFileIsNoCampaign) {
+    testing::expect_input_error(
+        [] {
+            (void)parse_campaign(CampaignInput{"b.toml", "mass=1\nbase_width=2\n", {}, {}});
+        },
+        "b.toml: a body's file", "Name it in a campaign");
+}
+
 // Beyond this a results file's header could not hold it, which a run must not find out at its end.
 TEST(CampaignInput, ACampaignTooLongForTheResultsFileIsRefusedAtOnce) {
     auto const path = std::filesystem::temp_directory_path() / fmt::format("overturn-long-{}.toml", ::getpid());

@@ -71,6 +71,15 @@ TEST(Table, BadSettingIsRefused) {
     expect_input_error([&] { (void)Table::parse("[[bodies]]\n", "x.toml", no_place); }, "no place in a list of 1");
 }
 
+// A whole number beyond what is held is no text, though TOML knows no such number.
+TEST(Table, AHugeIntegerIsNamedWithTheRange) {
+    std::vector<std::string> const huge{"seed=9223372036854775808"};
+    std::vector<std::string> const quoted{"seed=\"5\""};
+    expect_input_error([&] { (void)Table::parse("", "x.toml", huge).integer("seed", 0, 9); },
+                       "9223372036854775808 (must be 0 to 9)");
+    expect_input_error([&] { (void)Table::parse("", "x.toml", quoted).integer("seed", 0, 9); }, "without quotes");
+}
+
 TEST(Table, ChoiceRefusesUnknownNamesWithASuggestion) {
     static constexpr std::array<Entry<int>, 2> entries{Entry<int>{"shared", "", 1}, Entry<int>{"independent", "", 2}};
     auto const table = Table::parse("waves = 'sahred'", "x.toml");
