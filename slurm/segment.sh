@@ -34,6 +34,33 @@ planned() {
     "$OVERTURN" plan "$campaign" "${sets[@]}" >/dev/null
 }
 
+# file_of ARGUMENTS OF run... : the results file, behind links, as run itself finds it.
+file_of() {
+    local file
+    file=$(basename "$1")
+    file=${file%.*}.h5
+    while [ $# -gt 0 ]; do
+        case $1 in
+            -o | --output) file=${2:-} ;;
+            --output=*) file=${1#*=} ;;
+            -o?*) file=${1#-o} ;;
+        esac
+        shift
+    done
+    readlink -f -- "$file"
+}
+
+# idle_legs FILE : how many legs of this job by now, one after the other, committed no block. Between two legs the number
+# of blocks and the answer lie in a file beside FILE; another way a job has to remember both is not known to every site.
+idle_legs() {
+    local kept=$1.legs-$SLURM_JOB_ID before=0 idle=0 blocks
+    blocks=$(find "$1.parts" -name '*.block' 2>/dev/null | wc -l)
+    ! [ -s "$kept" ] || read -r before idle _ <"$kept"
+    [ "$blocks" -gt "$before" ] && idle=0 || idle=$((idle + 1))
+    echo "$blocks $idle (blocks of job $SLURM_JOB_ID, and its last legs that added none)" >"$kept"
+    echo "$idle"
+}
+
 # Launchers lose or die of what reaches them in their first seconds; five minutes' warning has room for waiting.
 tell() {
     [ -n "$pid" ] || return 0  # not begun yet: told as soon as it is
@@ -42,9 +69,10 @@ tell() {
 }
 
 # segment ARGUMENTS OF run... : 0 the work is complete, 3 it can go on, else what run returned. It is put back into the queue,
-# but not after a TERM: who preempts does that, and who cancels does not want it.
+# but not after a TERM: who preempts does that, and who cancels does not want it; nor where it does not get any further.
 segment() {
-    local pid='' code told='' begun=$SECONDS
+    local pid='' code told='' begun=$SECONDS file idle most_idle=3
+    file=$(file_of "$@")
     trap 'told=USR1; tell USR1' USR1  # from --signal: finish the blocks in hand
     trap 'told=USR2; tell USR2' TERM  # preempted: leave within a second (mpirun hands TERM on too, but ends with 1 then)
     $OVERTURN_LAUNCH "$OVERTURN" run "$@" --resume & pid=$!
@@ -56,9 +84,20 @@ segment() {
     trap - USR1 TERM
     # What is told while the launcher itself starts can kill it: nothing is lost, so the next segment goes on.
     [ -z "$told" ] || [ $code -le 128 ] || code=3
-    [ $code -eq 3 ] && [ "$told" != USR2 ] || return $code
+    if [ $code -ne 3 ] || [ "$told" = USR2 ]; then
+        rm -f "$file.legs-$SLURM_JOB_ID"
+        return $code
+    fi
+    idle=$(idle_legs "$file")
+    if [ "$idle" -ge "$most_idle" ]; then
+        rm -f "$file.legs-$SLURM_JOB_ID"
+        echo "segment: $idle legs in a row ended without a new block, so this job would go round for ever: it is not put back into" \
+            "the queue. A time limit must be longer than a block takes, and than merging once all blocks are there" \
+            "(overturn plan $1 --max-walltime LIMIT). Blocks are kept: raise the limit (sbatch -t) and submit again" >&2
+        return 3
+    fi
     if [ "${SLURM_RESTART_COUNT:-0}" -ge "$OVERTURN_MOST_SEGMENTS" ]; then
-        echo "segment: still not complete after $OVERTURN_MOST_SEGMENTS segments (is the time limit shorter than a block?). Raise it" >&2
+        echo "segment: still not complete after $OVERTURN_MOST_SEGMENTS segments. Submit again, with a longer limit or OVERTURN_MOST_SEGMENTS" >&2
         return 3
     fi
     scontrol requeue "$SLURM_JOB_ID"

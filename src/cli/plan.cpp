@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@
 #include "cli/plan_sizes.hpp"
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
+#include "cli/walltime.hpp"
 #include "core/elapsed.hpp"
 #include "core/error.hpp"
 #include "core/shared_rows.hpp"
@@ -55,6 +57,7 @@ struct PlanOptions {
     std::vector<std::string> settings;
     VelocityUnit unit;
     std::optional<std::int64_t> ranks;
+    std::optional<std::string> max_walltime;
     bool json = false;
     bool full = false;
 };
@@ -116,6 +119,12 @@ ForecastSeconds seconds_of(StartSeconds const& start, ProbedCost const& cost, Ra
     return {.start = start, .wave = cost.counted_wave_s(), .rare = rare.seconds.likely};
 }
 
+// Of this job or as stated; infinite without one. [s]
+double limit_of(PlanOptions const& options) {
+    auto const of_job = seconds_of_job();
+    return options.max_walltime ? std::min(of_job, stated_walltime(*options.max_walltime)) : of_job;
+}
+
 // Of one rank.
 Json rare_json(RareForecast const& rare) {
     auto const ends = [](rare::Effort const& effort) {
@@ -137,6 +146,7 @@ std::string rare_text(CampaignSpec const& spec, RareForecast const& rare) {
 // All that the text says, in SI.
 int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& drawn, double calibration_s,
                     std::optional<HazardCurve> const& hazard, PlanOptions const& options) {
+    auto const limit_s = limit_of(options);
     auto const plan = drawn.without_refusals();
     Json json{{"title", spec.title},
               {"waves", plan.waves()},
@@ -165,6 +175,11 @@ int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& 
     json["ranks"] = Json::array();
     for (auto const ranks : asked_ranks(options)) {
         json["ranks"].push_back(ranks_json(estimate_ranks(spec, plan, seconds_of(start, cost, rare), ranks)));
+    }
+    json["limit_s"] = or_null(std::isfinite(limit_s), limit_s);
+    auto const on_most = estimate_ranks(spec, plan, seconds_of(start, cost, rare), asked_ranks(options).back());
+    if (auto const text = too_short_text(on_most, plan.block_size(), limit_s); !text.empty()) {
+        json["warnings"].push_back(text);
     }
     fmt::print("{}\n", json.dump(2));
     return done;
@@ -252,6 +267,7 @@ int plan_campaign(PlanOptions const& options) {
     validate(!options.ranks || (*options.ranks > 0 && *options.ranks <= most_asked_ranks),
              "--ranks {} (must be 1 to {}). Say on how many ranks it shall run", options.ranks.value_or(0),
              most_asked_ranks);
+    auto const limit_s = limit_of(options);
     auto const input = load_campaign(path, options.settings);
     auto spec = parse_campaign(input);
     auto const begin = Clock::now();
@@ -282,6 +298,10 @@ int plan_campaign(PlanOptions const& options) {
     if (options.ranks) {
         print_entry("ranks", ranks_text(estimate(*options.ranks)));
     }
+    if (auto const text = too_short_text(estimate(options.ranks.value_or(cores)), plan.block_size(), limit_s);
+        !text.empty()) {
+        print_entry("warning", text);
+    }
     if (options.full) {
         fmt::print("{}", scratch_line(plan.without_refusals()));
     }
@@ -297,6 +317,8 @@ void add_plan(CommandLine& line) {
     verb.takes("--set", options->settings, "override keys: waves.count=50 seed=2", "KEY=VALUE ...");
     options->unit.offered_by(verb);
     verb.takes("--ranks", options->ranks, "also estimate time and utilisation for this number of ranks", "N");
+    verb.takes("--max-walltime", options->max_walltime,
+               "warn where a block does not fit into this time: \"50 min\", 01:00:00; in a Slurm job it is known");
     verb.takes("--json", options->json, "as JSON, in SI");
     verb.takes("--full", options->full, "also list all records, bodies, assumed values, times by model, block files");
     verb.does([options] { return plan_campaign(*options); });

@@ -75,6 +75,18 @@ std::string parts_text(RankEstimate const& estimate) {
                        short_time(estimate.merge_s));
 }
 
+std::string too_short_text(RankEstimate const& estimate, std::int64_t block_waves, double limit_s) {
+    if (estimate.start_s + estimate.block_s <= limit_s) {
+        return {};
+    }
+    return fmt::format(
+        "within the limit of {} no block is done: one ({}) takes about {}, after {} of starting, and what "
+        "is broken off is lost, run after run. Raise the limit to several times that{}",
+        short_time(limit_s), block_waves == 1 ? "a wave" : fmt::format("{} waves", block_waves),
+        short_time(estimate.block_s), short_time(estimate.start_s),
+        block_waves == 1 ? ", or give bodies or levels to campaigns of their own" : "");
+}
+
 Json ranks_json(RankEstimate const& estimate) {
     return {{"ranks", estimate.ranks},   {"wall_s", estimate.wall_s()}, {"start_s", estimate.start_s},
             {"work_s", estimate.work_s}, {"rare_s", estimate.rare_s},   {"merge_s", estimate.merge_s},

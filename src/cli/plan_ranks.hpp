@@ -48,6 +48,9 @@ struct ForecastSeconds {
 
 /// "about 45 s on 1000 ranks, which compute 91 % of it; 20000 blocks of 1.3 s, merged in 4 s"
 [[nodiscard]] std::string ranks_text(RankEstimate const& estimate);
+/// Warning that no run within this time ends a block, and what to do; empty where one fits. \param limit_s infinite:
+/// none
+[[nodiscard]] std::string too_short_text(RankEstimate const& estimate, std::int64_t block_waves, double limit_s);
 [[nodiscard]] Json ranks_json(RankEstimate const& estimate);
 
 }  // namespace overturn::cli

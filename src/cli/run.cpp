@@ -36,14 +36,6 @@ struct RunVerbOptions {
     Packing packing;
 };
 
-double read_walltime(std::string const& text) {
-    try {
-        return parse_walltime(text);
-    } catch (InputError const& error) {
-        throw InputError(fmt::format("--max-walltime: {}", error.what()));
-    }
-}
-
 // "2/8"
 Part read_part(std::string const& text) {
     constexpr std::int64_t most = 1'000'000;
@@ -91,7 +83,7 @@ int run(RunVerbOptions const& options, parallel::Communicator const& comm) {
     run_options.leaves_blocks = options.leaves_blocks;
     run_options.max_walltime_s = seconds_of_job(comm);
     if (options.max_walltime) {
-        run_options.max_walltime_s = std::min(run_options.max_walltime_s, read_walltime(*options.max_walltime));
+        run_options.max_walltime_s = std::min(run_options.max_walltime_s, stated_walltime(*options.max_walltime));
     }
     if (options.part) {
         run_options.part = read_part(*options.part);

@@ -62,6 +62,11 @@ std::string with_blank(std::string text) {
     return text;
 }
 
+std::string end_of_job() {
+    char const* const stated = std::getenv("SLURM_JOB_END_TIME");
+    return stated == nullptr ? "" : stated;
+}
+
 }  // namespace
 
 double seconds_until(std::string const& end, std::chrono::system_clock::time_point now) {
@@ -78,12 +83,10 @@ double seconds_until(std::string const& end, std::chrono::system_clock::time_poi
     return left > 0 ? left - std::min(leaving_s, leaving_share * left) : 0;
 }
 
+double seconds_of_job() { return seconds_until(end_of_job(), std::chrono::system_clock::now()); }
+
 double seconds_of_job(parallel::Communicator const& comm) {
-    auto const end = broadcast_from_root(comm, [] {
-        char const* const stated = std::getenv("SLURM_JOB_END_TIME");
-        return std::string(stated == nullptr ? "" : stated);
-    });
-    return seconds_until(end, std::chrono::system_clock::now());
+    return seconds_until(broadcast_from_root(comm, [] { return end_of_job(); }), std::chrono::system_clock::now());
 }
 
 double parse_walltime(std::string const& text) {
@@ -92,6 +95,14 @@ double parse_walltime(std::string const& text) {
     double const seconds = slurm ? slurm_time(text) : parse_quantity(with_blank(text), Dimension::time);
     validate(seconds > 0, "{} s (must be above 0). State the time this run may take", seconds);
     return seconds;
+}
+
+double stated_walltime(std::string const& text) {
+    try {
+        return parse_walltime(text);
+    } catch (InputError const& error) {
+        throw InputError(fmt::format("--max-walltime: {}", error.what()));
+    }
 }
 
 }  // namespace overturn::cli

@@ -210,7 +210,7 @@ TEST_F(Scripts, PlanIsJson) {
          {"title",        "waves",           "trials",   "blocks",      "block_waves", "wave_source",
           "variability",  "records",         "bodies",   "levels",      "limits",      "effects",
           "validated",    "rare_max_waves",  "warnings", "assumptions", "file_bytes",  "scratch_bytes",
-          "memory_bytes", "waves_of_curves", "probe",    "ranks",       "rare"}) {
+          "memory_bytes", "waves_of_curves", "probe",    "ranks",       "rare",        "limit_s"}) {
         EXPECT_TRUE(plan.contains(key)) << key;
     }
     EXPECT_EQ(plan["bodies"].size(), 5U);
@@ -246,6 +246,32 @@ TEST_F(Scripts, PlanIsJson) {
     auto const text = planned(folder, {"c.toml", "--ranks", "1000", "--full"}).out;
     EXPECT_NE(text.find(" on 1000 ranks, which compute "), std::string::npos) << text;
     EXPECT_EQ(overturn(folder, {"plan", "c.toml", "--ranks", "0"}).code, 2);
+}
+
+// a limit within which no block is ever done, stated or of the batch job.
+TEST_F(Scripts, PlanWarnsOfALimitShorterThanABlock) {
+    write(12);
+    auto const warning = [&](std::vector<std::string> const& more) {
+        auto const plan = told(joined({"plan", "c.toml", "--json"}, more));
+        auto const last = plan["warnings"].empty() ? "" : plan["warnings"].back().get<std::string>();
+        bool const warns = last.starts_with("within the limit of ");
+        auto const text = planned(folder, joined({"c.toml"}, more)).out;
+        EXPECT_EQ(warns, text.find("within the limit of ") != std::string::npos) << text;
+        return std::pair(plan["limit_s"], warns ? last : "");
+    };
+    auto const [limit, text] = warning({"--max-walltime", "0.001 s"});
+    EXPECT_EQ(limit, 0.001);
+    EXPECT_TRUE(text.starts_with("within the limit of 1 ms no block is done: one (a wave) takes about ")) << text;
+    EXPECT_NE(text.find("Raise the limit to several times that, or give bodies or levels"), std::string::npos) << text;
+    EXPECT_EQ(warning({"--max-walltime", "1:00:00", "--ranks", "16"}), std::pair(json(3600), std::string()));
+    EXPECT_TRUE(warning({}).first.is_null());
+    folder.write("points.toml", campaign_on_points(2000));
+    auto const few = planned(folder, {"points.toml", "--max-walltime", "1 ms"}).out;
+    EXPECT_NE(few.find("no block is done: one (7 waves) takes"), std::string::npos) << few;
+    auto const in_job = execute(
+        folder, {"/bin/sh", "-c", "SLURM_JOB_END_TIME=$(($(date +%s) - 5)) exec " OVERTURN_PROGRAM " plan c.toml"});
+    EXPECT_NE(in_job.out.find("within the limit of 0 ms no block is done"), std::string::npos) << in_job.out;
+    EXPECT_EQ(overturn(folder, {"plan", "c.toml", "--max-walltime", "h"}).code, 2);
 }
 
 // settings one by one or several behind one --set; whatever else stands there is what it was.
