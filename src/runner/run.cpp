@@ -96,9 +96,7 @@ class Run {
                 giving_up_copies([&] { kept = find_known_blocks(options_.output, input_, spec_, plan_, shards_); });
             }
             if (state.keeps) {
-                print_note("extending {}: of {} blocks {} are there already{}\n", options_.output.string(),
-                           plan_.blocks(), kept.blocks,
-                           kept.in_part > 0 ? fmt::format(", and some trials of {} others", kept.in_part) : "");
+                print_what_is_kept(kept.rows);
             }
             return nlohmann::json{{"complete", state.complete},
                                   {"packed", state.packed},
@@ -154,6 +152,14 @@ class Run {
     }
 
   private:
+    // A target may be met before all that is new is computed.
+    void print_what_is_kept(KeptCount const& kept) const {
+        auto const asked = plan_.without_refusals();
+        print_note("extending {}: {} trials of {} waves are kept, {}{} of {} are new\n", options_.output.string(),
+                   kept.trials, kept.waves, spec_.has_target() ? "at most " : "",
+                   std::max<std::int64_t>(0, asked.trials() - kept.trials), asked.trials());
+    }
+
     [[nodiscard]] bool merges() const { return options_.part.is_whole() && !options_.leaves_blocks; }
 
     // Up to each stopping point, where all ranks wait for the answer; a part cannot know it and does all its blocks.

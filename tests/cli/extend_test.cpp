@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/campaign_files.hpp"
@@ -102,6 +103,8 @@ TEST_F(Extend, LevelsAndBodiesAreAddedToTheSameBytes) {
             auto const ended = extend(ranks);
             ASSERT_EQ(ended.code, 0) << ended.err;
             EXPECT_EQ(trials_answered(ended.err), growth.answered) << ended.err;
+            auto const of_all = fmt::format("{} of ", growth.answered);
+            EXPECT_NE(ended.err.find(" waves are kept, " + of_all), std::string::npos) << ended.err;
             expect_as_at_once();
             std::filesystem::remove(folder / "c.h5");
             ranks = ranks % 3 + 1;
@@ -373,7 +376,8 @@ TEST_F(Extend, StoppedBeforeItsFirstBlock) {
     write(with(larger, "median=0.5", "median=0.4"));
     auto const other = extend(2);
     ASSERT_EQ(other.code, 0) << other.err;
-    EXPECT_NE(other.err.find("blocks 0 are there already, and some trials of 20 others"), std::string::npos)
+    EXPECT_NE(other.err.find("extending c.h5: 120 trials of 20 waves are kept, 240 of 360 are new\n"),
+              std::string::npos)
         << other.err;
     expect_as_at_once();
 }
@@ -385,7 +389,9 @@ TEST_F(Extend, CopiesAreWorkLikeAnyOther) {
     write(small_campaign("shared", 61));
     auto const stopped = overturn(folder, {"run", "c.toml", "--extend", "--max-walltime", "0.001 s"});
     EXPECT_EQ(stopped.code, 3) << stopped.err;
-    EXPECT_NE(stopped.err.find("of 61 blocks 60 are there already"), std::string::npos) << stopped.err;
+    EXPECT_NE(stopped.err.find("extending c.h5: 360 trials of 60 waves are kept, 6 of 366 are new\n"),
+              std::string::npos)
+        << stopped.err;
     EXPECT_LT(blocks_done(folder, "c.h5"), 60) << "of which none is copied once time is up";
     auto const ended = extend(3);
     ASSERT_EQ(ended.code, 0) << ended.err;
@@ -401,6 +407,7 @@ TEST_F(Extend, UnfinishedRunsWithATarget) {
     auto const ended = execute(folder, mpirun(3, {"run", "c.toml", "--extend", "--shrink"}));
     ASSERT_EQ(ended.code, 0) << ended.err;
     EXPECT_NE(ended.err.find("precise enough after"), std::string::npos) << ended.err;
+    EXPECT_NE(ended.err.find(" waves are kept, at most "), std::string::npos) << ended.err;
     expect_as_at_once();
 }
 
@@ -443,7 +450,8 @@ TEST_F(Extend, WhatMovesNoRowTakesAll) {
         EXPECT_NE(refused.err.find("Use --extend"), std::string::npos) << refused.err;
         auto const ended = extend(1);
         ASSERT_EQ(ended.code, 0) << ended.err;
-        EXPECT_NE(ended.err.find("extending c.h5: of 6 blocks 6 are there already"), std::string::npos) << ended.err;
+        EXPECT_NE(ended.err.find("extending c.h5: 36 trials of 6 waves are kept, 0 of 36 are new\n"), std::string::npos)
+            << ended.err;
         expect_as_at_once();
     }
     auto const again = extend(1);
@@ -468,6 +476,7 @@ TEST_F(Extend, WavesThatMustBeAccepted) {
     write(ruled(5));
     auto const ended = extend(2);
     ASSERT_EQ(ended.code, 0) << ended.err;
+    EXPECT_NE(ended.err.find("18 trials of 3 waves are kept, 12 of 30 are new\n"), std::string::npos) << ended.err;
     expect_as_at_once();
 }
 

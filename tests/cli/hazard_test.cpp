@@ -177,7 +177,7 @@ TEST(HazardOfCampaign, AnswersAnnualFrequencies) {
     EXPECT_EQ(verified.code, 0) << verified.out << verified.err;
     auto const extended = overturn(folder, {"run", "c.toml", "--extend", "--set", "waves.count=25"});
     EXPECT_EQ(extended.code, 0) << extended.err;
-    EXPECT_NE(extended.err.find("of 25 blocks 24 are there already"), std::string::npos) << extended.err;
+    EXPECT_NE(extended.err.find(" trials of 24 waves are kept, "), std::string::npos) << extended.err;
     for (auto const* verb : {"plan", "run"}) {
         auto const refused = overturn(folder, {verb, "c.toml", "--set", "hazard=pgv.csv"});
         EXPECT_EQ(refused.code, 2);

@@ -189,6 +189,34 @@ bool KeptRows::has_some(std::int64_t block) const {
     return false;
 }
 
+// Of several sources the first that has a trial is asked for it, as in of().
+std::int64_t KeptRows::trials_of(std::int64_t wave) const {
+    std::vector<std::optional<bool>> kept(plan_.trials_per_wave());
+    for (auto const& source : sources_) {
+        if (!place_in(source, wave)) {
+            continue;
+        }
+        for (std::int64_t t = 0; t < plan_.trials_per_wave(); ++t) {
+            auto const body = t / plan_.level_count();
+            if (!kept[t] && trial_in(source, wave, body, t % plan_.level_count())) {
+                bool const alike = keeps_number(source, wave) || spec_.bodies[body].scattering().empty();
+                kept[t] = alike && draws_as_before(*source.rows, body, *source.bodies[body]);
+            }
+        }
+    }
+    return std::ranges::count(kept, std::optional(true));
+}
+
+KeptCount KeptRows::count(std::int64_t block) const {
+    KeptCount count;
+    auto const [first, waves] = plan_.waves_of_block(block);
+    for (auto wave = first; wave < first + waves; ++wave) {
+        auto const trials = whole_wave(wave).source != nullptr ? plan_.trials_per_wave() : trials_of(wave);
+        count.add({trials > 0 ? 1 : 0, trials});
+    }
+    return count;
+}
+
 std::string const& KeptRows::origin(std::int64_t block) const {
     return whole_wave(plan_.waves_of_block(block).first).source->rows->place();
 }

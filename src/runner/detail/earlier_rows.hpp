@@ -81,6 +81,16 @@ class UnfinishedRows : public EarlierRows {
     std::vector<std::int64_t> blocks_, firsts_;  ///< and where the first wave of each lies
 };
 
+/// Rows that are kept.
+struct KeptCount {
+    std::int64_t waves = 0, trials = 0;
+
+    void add(KeptCount const& more) {
+        waves += more.waves;
+        trials += more.trials;
+    }
+};
+
 /// Rows of earlier campaigns that a larger one can use.
 class KeptRows : public KnownTrials {
   public:
@@ -92,6 +102,8 @@ class KeptRows : public KnownTrials {
     [[nodiscard]] bool has_all(std::int64_t block) const;
     /// Is a trial known of any of its waves?
     [[nodiscard]] bool has_some(std::int64_t block) const;
+    /// Trials of its waves that can be kept, and how many waves have one.
+    [[nodiscard]] KeptCount count(std::int64_t block) const;
     /// \pre has_all(block)
     [[nodiscard]] BlockRows block(std::int64_t number) const;
     /// Origin of the first of its waves. \pre has_all(block)
@@ -125,6 +137,8 @@ class KeptRows : public KnownTrials {
     [[nodiscard]] bool draws_as_before(EarlierRows const& rows, std::size_t body, std::int64_t there) const;
     [[nodiscard]] bool has_levels(Source const& source, std::int64_t wave) const;
     [[nodiscard]] Found whole_wave(std::int64_t wave) const;
+    /// Trials of a wave that is not there whole.
+    [[nodiscard]] std::int64_t trials_of(std::int64_t wave) const;
     void append(BlockRows& block, std::int64_t first_wave, Found const& from, std::int64_t count) const;
     void put(KnownWave& known, std::int64_t wave, Found const& from) const;
     [[nodiscard]] Read const& read(Found const& from) const;

@@ -321,6 +321,7 @@ KeptPlaces find_known_blocks(std::filesystem::path const& output, CampaignInput 
     auto const rows = kept_rows(kept.text, input, spec, plan);
     std::set<std::string> checked;
     for (std::int64_t block = 0; block < plan.blocks(); ++block) {
+        kept.rows.add(rows->count(block));
         if (!rows->has_all(block)) {
             kept.in_part += rows->has_some(block) ? 1 : 0;
             continue;

@@ -38,6 +38,7 @@ struct KeptPlaces {
     std::string text;
     std::int64_t blocks = 0;   ///< taken whole
     std::int64_t in_part = 0;  ///< of whose trials some are known
+    KeptCount rows;
 
     [[nodiscard]] bool any() const { return blocks + in_part > 0; }
 };
