@@ -101,8 +101,8 @@ void add_run(CommandLine& line) {
     verb.takes("--resume", options->resume, "continue an interrupted run");
     verb.takes(
         "--extend", options->extend,
-        "add waves, levels, bodies, limits or statistics to the finished file at -o; its rows are kept. One run does "
-        "it: not with --part or --leave-blocks");
+        "add waves, levels, bodies, limits or statistics to the finished file at -o; its rows are kept. Where no "
+        "file is, the campaign begins anew. One run does it: not with --part or --leave-blocks");
     verb.takes("--shrink", options->shrink,
                "with --extend or --resume: give up waves, levels and bodies that the campaign does not hold any more");
     verb.takes("--set", options->settings, "override keys: waves.count=50 bodies.0.friction=0.4", "KEY=VALUE ...");

@@ -251,6 +251,9 @@ OutputState lock_output(std::filesystem::path const& output, store::ShardFolder 
         validate(request.resume || !shards.holds_blocks() || begun_there(shards),
                  "{} (blocks of an unfinished run lie there). Go on with --resume, or remove it",
                  shards.folder().string());
+        if (request.extend && !extendable && !shards.holds_blocks()) {
+            print_note("{}: nothing is there that could be extended: the campaign begins anew\n", output.string());
+        }
         begin(shards, input);
     } else {
         validate(request.resume || !request.part.is_whole(),

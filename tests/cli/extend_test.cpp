@@ -399,6 +399,26 @@ TEST_F(Extend, CopiesAreWorkLikeAnyOther) {
     expect_as_at_once();
 }
 
+// R-1107: a workflow extends from its first run on; at a misspelt place that is said.
+TEST_F(Extend, NothingThere) {
+    write(small_campaign("shared", 3));
+    auto const said = [&] {
+        auto const ended = extend(2);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return ended.err.find("c.h5: nothing is there that could be extended: the campaign begins anew\n")
+               != std::string::npos;
+    };
+    EXPECT_TRUE(said());
+    expect_as_at_once();
+    EXPECT_FALSE(said()) << "complete already";
+    write(small_campaign("shared", 4));
+    EXPECT_FALSE(said());
+    std::filesystem::remove(folder / "c.h5");
+    write(small_campaign("shared", 1000));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml", "--max-walltime", "0.3 s"}).code, 3);
+    EXPECT_FALSE(said()) << "of an unfinished run";
+}
+
 // R-1107: a campaign that ends when it is precise enough takes what was computed without an end in sight.
 TEST_F(Extend, UnfinishedRunsWithATarget) {
     write(small_campaign("shared", 300));
