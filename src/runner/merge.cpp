@@ -195,7 +195,7 @@ MergeEnd merge_parts(std::filesystem::path const& output, parallel::Communicator
         if (std::filesystem::exists(output)) {
             store::ResultsReader const file(output);
             bool const extended = check_complete(output, input_of(file));
-            fmt::print("{}: complete already, nothing to {}\n", output.string(), extended ? "merge yet" : "do");
+            fmt::print("{}: complete already; nothing to merge{}\n", output.string(), extended ? " yet" : "");
             return std::string(extended ? extension_begun : "");
         }
         store::ShardFolder const unnamed(output, "");

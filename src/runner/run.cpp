@@ -51,6 +51,13 @@ void print_what_is_left(CampaignInput const& input, RunOptions const& options, s
         print_note("stopped early: {} of {} blocks are done and safe. Go on with: {}\n", done, blocks, again);
         return;
     }
+    if (blocks == 0) {
+        fmt::print(
+            "part {}/{}: has no block, nothing to do (there are more parts than blocks). When all parts are done: "
+            "overturn merge {}\n",
+            options.part.number, options.part.of, options.output.string());
+        return;
+    }
     auto const name = fmt::format("part {}/{}", options.part.number, options.part.of);
     if (done < blocks) {
         print_note("stopped early: {} of {} blocks of {} are done and safe. Go on with: {} --part {}/{}\n", done,
@@ -128,6 +135,10 @@ class Run {
             print_note("validated range: {}\n", validated_range_text(spec_));
             for (auto const& line : warnings_of(spec_)) {
                 print_note("warning: {}\n", line);
+            }
+            if (auto const blocks = plan_.blocks_of(options_.part).count(); blocks > 0 && blocks < comm_.size()) {
+                print_note("warning: {} blocks for {} ranks: {} of them have none\n", blocks, comm_.size(),
+                           comm_.size() - blocks);
             }
         }
         seconds_.start = seconds_since(options_.merge.begun);

@@ -148,6 +148,26 @@ TEST_F(Parts, StartedTogetherDoNotDisturbEachOther) {
     }
     EXPECT_EQ(merge().code, 0);
     expect_as_one_run();
+    auto const again = merge();
+    EXPECT_EQ(again.code, 0);
+    EXPECT_EQ(again.out, "c.h5: complete already; nothing to merge\n");
+}
+
+/// What finds no work says so: parts beyond the number of blocks, and ranks.
+TEST_F(Parts, WithoutABlock) {
+    folder.write("c.toml", small_campaign("shared", 3));
+    auto const without = part("1/4");
+    expect_part_done(without);
+    EXPECT_EQ(without.out,
+              "part 1/4: has no block, nothing to do (there are more parts than blocks). When all parts are done: "
+              "overturn merge c.h5\n");
+    expect_part_done(part("2/4"));
+    auto const ended = execute(folder, mpirun(5, {"run", "c.toml", "--resume"}));
+    EXPECT_EQ(ended.code, 0) << ended.err;
+    EXPECT_EQ(times(ended.err, "warning: 3 blocks for 5 ranks: 2 of them have none\n"), 1) << ended.err;
+    expect_as_one_run();
+    auto const enough = execute(folder, mpirun(3, {"run", "c.toml", "-o", "three.h5"}));
+    EXPECT_EQ(times(enough.err, " ranks: "), 0) << enough.err;
 }
 
 // missing parts are named by their waves, with exit code 3, and can be run then.
