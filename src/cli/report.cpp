@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -42,9 +43,9 @@
 #include "response/registry.hpp"
 #include "results/analysis.hpp"
 #include "results/few_waves.hpp"
+#include "results/measured_trials.hpp"
 #include "results/rare_results.hpp"
 #include "results/recount.hpp"
-#include "results/stored_names.hpp"
 #include "results/telling_trials.hpp"
 #include "stats/quantile.hpp"
 #include "store/durable.hpp"
@@ -64,18 +65,18 @@ struct ReportOptions {
 };
 
 // The first wave, and the one that overturned anything at the lowest level: usually the ones to look at.
-std::vector<std::int64_t> telling_waves(store::ResultsReader const& file, Plan const& plan) {
+std::vector<std::int64_t> telling_waves(store::ResultsReader const& file, CampaignSpec const& spec, Plan const& plan) {
+    constexpr std::array<std::string_view, 1> columns{"verdict"};
     std::vector<std::int64_t> waves{0};
-    auto const ends = stored_verdicts(file);
     std::int64_t lowest = 0;
     std::optional<std::int64_t> worst;
-    for (std::size_t t = 0; t < ends.size(); ++t) {
-        auto const trial = plan.trial(t);
-        if (entry_of(ends[t]).fell && (!worst || trial.level < lowest)) {
+    each_trial(file, spec, columns, {}, [&](std::int64_t number, TrialRow const& row) {
+        auto const trial = plan.trial(number);
+        if (entry_of(row.verdict).fell && (!worst || trial.level < lowest)) {
             worst = trial.wave;
             lowest = trial.level;
         }
-    }
+    });
     if (worst && *worst != 0) {
         waves.push_back(*worst);
     }
@@ -85,7 +86,7 @@ std::vector<std::int64_t> telling_waves(store::ResultsReader const& file, Plan c
 Json waves_of(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan,
               store::ResultsReader const& file) {
     auto figures = Json::array();
-    for (auto const wave : telling_waves(file, plan)) {
+    for (auto const wave : telling_waves(file, spec, plan)) {
         try {
             auto const made = spec.source->make(spec.seed, plan.wave_id(wave));
             auto figure = campaign_wave_figure(input, spec, made);
@@ -151,6 +152,15 @@ Json notes_of(CampaignSpec const& spec, Statistics const& statistics, store::Res
         notes.push_back("Warning: " + line + ".");
     }
     return notes;
+}
+
+// Of more trials than are held for curves, figures show those of the first waves, where each wave meets all levels.
+std::optional<std::int64_t> waves_shown(CampaignSpec const& spec, Plan const& plan) {
+    std::int64_t const held = most_trials_held;
+    if (plan.trials() <= held || spec.levels.independent_waves || spec.is_grid()) {
+        return std::nullopt;
+    }
+    return std::max<std::int64_t>(1, held / plan.trials_per_wave());
 }
 
 // Every sentence of it.
@@ -257,6 +267,11 @@ int write_report(ReportOptions const& options) {
     data["waves"] = waves_of(input, spec, plan, file);
     data["spectra"] = spectra_of(input, spec);
     data["wave_notes"] = notes_of(spec, statistics, file);
+    auto const shown = waves_shown(spec, plan);
+    data["waves_shown"] = shown ? Json(*shown) : Json();
+    if (shown) {
+        data["wave_notes"].push_back(output::shown_waves_text(*shown, plan.waves()));
+    }
     auto const histories = shown_trials(spec, plan, telling, file);
     data["histories"] = histories.drawn;
     data["histories_of"] =

@@ -1,10 +1,12 @@
 #include "cli/shown_trials.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <iterator>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -16,7 +18,7 @@
 #include "cli/trial_history.hpp"
 #include "output/trial_text.hpp"
 #include "response/registry.hpp"
-#include "results/stored_names.hpp"
+#include "results/recount.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -25,32 +27,6 @@ namespace {
 constexpr std::size_t fewest_at_most = 12;
 constexpr std::size_t most_shown = 24;
 
-// How the trials of a file ended, read once.
-struct StoredEnds {
-    std::vector<Verdict> verdicts;
-    std::vector<double> peak_rotation_ratios;
-};
-
-// The highest peak that stood on compliant points, of each body.
-std::vector<std::optional<std::int64_t>> nearest_misses(CampaignSpec const& spec, Plan const& plan,
-                                                        store::ResultsReader const& file, StoredEnds const& stored) {
-    std::vector<std::optional<std::int64_t>> nearest(spec.bodies.size());
-    std::vector<double> highest(spec.bodies.size(), 0);
-    auto const& [ends, peaks] = stored;
-    auto const effects =
-        file.has("trials/effects") ? file.integers("trials/effects") : std::vector<std::int64_t>(ends.size());
-    for (std::size_t t = 0; t < ends.size(); ++t) {
-        auto const& end = entry_of(ends[t]);
-        auto const body = static_cast<std::size_t>(plan.trial(t).body);
-        bool const on_points = has(static_cast<EffectMask>(effects[t]), Effect::contact);
-        if (on_points && end.moved && end.decided && !end.fell && peaks[t] > highest[body]) {
-            highest[body] = peaks[t];
-            nearest[body] = static_cast<std::int64_t>(t);
-        }
-    }
-    return nearest;
-}
-
 // What a body did at the design basis.
 struct AtDesignBasis {
     bool judged = false;                   ///< trials of it are there
@@ -58,28 +34,42 @@ struct AtDesignBasis {
     std::optional<std::int64_t> farthest;  ///< one that fell, else by tilt, else by slip; none: no decided one moved
 };
 
-std::vector<AtDesignBasis> at_design_basis(CampaignSpec const& spec, Plan const& plan, store::ResultsReader const& file,
-                                           StoredEnds const& stored) {
-    std::vector<AtDesignBasis> bodies(spec.bodies.size());
-    std::vector<std::tuple<bool, double, double>> reached(spec.bodies.size());
-    auto const& [ends, tilts] = stored;
-    auto const slips = reals_or_unknown(file, "trials/peak_slip", ends.size());
-    for (std::size_t t = 0; t < ends.size(); ++t) {
-        auto const trial = plan.trial(t);
-        if (spec.levels.levels.at(trial.level).purpose != LevelClass::design_basis) {
-            continue;
+// Of each body's trials those that a page shows beside the telling ones; a file may hold more than memory does.
+struct Farthest {
+    std::vector<std::optional<std::int64_t>> on_points;  ///< the highest peak that stood on compliant points
+    std::vector<AtDesignBasis> basis;
+};
+
+Farthest farthest_trials(CampaignSpec const& spec, Plan const& plan, store::ResultsReader const& file) {
+    constexpr std::array<std::string_view, 4> columns{"verdict", "effects", "peak_rotation_ratio", "peak_slip"};
+    auto const count = spec.bodies.size();
+    Farthest found{std::vector<std::optional<std::int64_t>>(count), std::vector<AtDesignBasis>(count)};
+    std::vector<double> highest(count, 0);
+    std::vector<std::tuple<bool, double, double>> reached(count);
+    TrialRow unknown;
+    unknown.peak_rotation_ratio = unknown.peak_slip_m = never;
+    each_trial(file, spec, columns, unknown, [&](std::int64_t number, TrialRow const& row) {
+        auto const trial = plan.trial(number);
+        auto const& end = entry_of(row.verdict);
+        bool const counts = end.moved && end.decided;
+        bool const on_points = has(static_cast<EffectMask>(row.effects), Effect::contact);
+        if (on_points && counts && !end.fell && row.peak_rotation_ratio > highest[trial.body]) {
+            highest[trial.body] = row.peak_rotation_ratio;
+            found.on_points[trial.body] = number;
         }
-        auto& body = bodies[trial.body];
-        auto const& end = entry_of(ends[t]);
-        std::tuple const here{end.fell, tilts[t], slips[t]};
+        if (spec.levels.levels.at(trial.level).purpose != LevelClass::design_basis) {
+            return;
+        }
+        auto& body = found.basis[trial.body];
+        std::tuple const here{end.fell, row.peak_rotation_ratio, row.peak_slip_m};
         body.judged = true;
         body.moved = body.moved || end.moved;
-        if (end.moved && end.decided && here > reached[trial.body]) {
+        if (counts && here > reached[trial.body]) {
             reached[trial.body] = here;
-            body.farthest = static_cast<std::int64_t>(t);
+            body.farthest = number;
         }
-    }
-    return bodies;
+    });
+    return found;
 }
 
 // One that is there already only gets a further word.
@@ -93,20 +83,19 @@ void add(std::vector<ChosenTrial>& of_body, std::int64_t trial, std::string cons
 }
 
 std::vector<ChosenTrial> chosen(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
-                                store::ResultsReader const& file, StoredEnds const& stored,
-                                std::span<AtDesignBasis const> basis) {
+                                Farthest const& farthest) {
     std::vector<TellingTrial> by_kind(telling.begin(), telling.end());
     std::ranges::stable_sort(by_kind, {}, &TellingTrial::kind);
     std::vector<std::vector<ChosenTrial>> offered(spec.bodies.size());
-    for (std::size_t b = 0; b < basis.size(); ++b) {
-        if (auto const& trial = basis[b].farthest) {
+    for (std::size_t b = 0; b < offered.size(); ++b) {
+        if (auto const& trial = farthest.basis[b].farthest) {
             add(offered[b], *trial, "farthest at the design basis");
         }
     }
     for (auto const& t : by_kind) {
         add(offered.at(t.body), t.trial, std::string(telling_kinds.at(static_cast<std::size_t>(t.kind))));
     }
-    for (auto const& trial : nearest_misses(spec, plan, file, stored)) {
+    for (auto const& trial : farthest.on_points) {
         if (trial) {
             add(offered.at(plan.trial(*trial).body), *trial, "nearest-miss on points");
         }
@@ -152,12 +141,10 @@ ShownTrials histories_of(CampaignSpec const& spec, Plan const& plan, std::span<C
 
 ShownTrials shown_trials(CampaignSpec const& spec, Plan const& plan, std::span<TellingTrial const> telling,
                          store::ResultsReader const& file) {
-    auto const ends = stored_verdicts(file);
-    StoredEnds const stored{ends, reals_or_unknown(file, "trials/peak_rotation_ratio", ends.size())};
-    auto const basis = at_design_basis(spec, plan, file, stored);
-    auto shown = histories_of(spec, plan, chosen(spec, plan, telling, file, stored, basis));
-    for (std::size_t b = 0; b < basis.size(); ++b) {
-        if (basis[b].judged && !basis[b].moved) {
+    auto const farthest = farthest_trials(spec, plan, file);
+    auto shown = histories_of(spec, plan, chosen(spec, plan, telling, farthest));
+    for (std::size_t b = 0; b < farthest.basis.size(); ++b) {
+        if (farthest.basis[b].judged && !farthest.basis[b].moved) {
             shown.at_rest_at_design_basis.push_back(spec.bodies[b].name);
         }
     }

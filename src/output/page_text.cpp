@@ -228,6 +228,11 @@ std::string histories_text(std::size_t shown, std::size_t bodies,
     return fmt::format("{}", fmt::join(sentences, " "));
 }
 
+std::string shown_waves_text(std::int64_t shown, std::int64_t all) {
+    return fmt::format("Figures of trials and waves show the first {} of {} waves. Counts in tables are of all.", shown,
+                       all);
+}
+
 std::string ran_text(std::int64_t ran, std::int64_t planned) {
     return ran == planned ? fmt::format("{}", ran)
                           : fmt::format("{} of {} planned: it ended early, precise enough", ran, planned);

@@ -42,6 +42,9 @@ namespace overturn::output {
 [[nodiscard]] std::string histories_text(std::size_t shown, std::size_t bodies,
                                          std::vector<std::string> const& at_rest_at_design_basis);
 
+/// That figures show the trials of the first waves alone.
+[[nodiscard]] std::string shown_waves_text(std::int64_t shown, std::int64_t all);
+
 /// "40"; "32 of 64 planned: it ended early, precise enough".
 [[nodiscard]] std::string ran_text(std::int64_t ran, std::int64_t planned);
 

@@ -62,11 +62,12 @@ void check_waves(std::int64_t done, CampaignSpec const& spec, std::int64_t asked
 
 // Calls `take` with each row of a table, some at a time: a file may hold more than memory does.
 template <class Row, class Take>
-void each_row(store::ResultsReader const& file, store::TableSpec const& table, std::int64_t length, Take take) {
+void each_row(store::ResultsReader const& file, store::TableSpec const& table, std::int64_t length, Take take,
+              Row const& unknown = {}) {
     constexpr std::int64_t at_once = 1 << 14U;
     std::vector<Row> rows;
     for (std::int64_t first = 0; first < length; first += at_once) {
-        rows.assign(std::min(at_once, length - first), {});
+        rows.assign(std::min(at_once, length - first), unknown);
         file.rows(table, length, first, std::as_writable_bytes(std::span(rows)));
         for (auto const& row : rows) {
             take(row);
@@ -180,17 +181,33 @@ void require_stored_limits(store::ResultsReader const& file, CampaignSpec const&
     }
 }
 
-// /waves/<body> of all bodies, body by body for each wave.
-std::vector<MeasureRow> stored_measures(store::ResultsReader const& file, CampaignSpec const& spec,
-                                        std::int64_t waves) {
-    auto const bodies = spec.bodies.size();
-    std::vector<MeasureRow> rows(waves * bodies);
-    for (std::size_t b = 0; b < bodies && !rows.empty(); ++b) {
-        auto const table = measure_table(spec, b);
-        file.rows(table, waves, 0, std::as_writable_bytes(std::span(rows)));
+// /waves/<body> of all bodies, wave after wave, some at a time.
+class StoredMeasures {
+  public:
+    StoredMeasures(store::ResultsReader const& file, CampaignSpec const& spec, std::int64_t waves)
+        : file_(file), bodies_(std::ssize(spec.bodies)), waves_(waves) {
+        for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+            tables_.push_back(measure_table(spec, b));
+        }
     }
-    return rows;
-}
+
+    [[nodiscard]] std::span<MeasureRow const> next() {
+        constexpr std::int64_t at_once = 1 << 12U;
+        if (next_ % at_once == 0) {
+            rows_.assign(std::min(at_once, waves_ - next_) * bodies_, {});
+            for (auto const& table : tables_) {
+                file_.rows(table, waves_, next_, std::as_writable_bytes(std::span(rows_)));
+            }
+        }
+        return std::span(rows_).subspan(next_++ % at_once * bodies_, bodies_);
+    }
+
+  private:
+    store::ResultsReader const& file_;
+    std::vector<store::TableSpec> tables_;
+    std::int64_t bodies_, waves_, next_ = 0;
+    std::vector<MeasureRow> rows_;
+};
 
 }  // namespace
 
@@ -211,11 +228,9 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec, T
     auto const plan = plan_in(file, spec);
     auto const done = plan.waves();
     bool const all = held == TrialsHeld::all;
-    auto const measures = all ? stored_measures(file, spec, done) : std::vector<MeasureRow>{};
-    auto const bodies = all ? spec.bodies.size() : 0;
-    std::size_t wave = 0;
+    StoredMeasures measures(file, spec, done);
     each_row<WaveRow>(file, wave_table(spec), done, [&](WaveRow const& row) {
-        statistics.add(row, std::span(measures).subspan(bodies * wave++, bodies));
+        statistics.add(row, all ? measures.next() : std::span<MeasureRow const>());
     });
     if (auto const refused = refused_wave_table(spec); file.has(refused.group + "/id")) {
         auto const rows = std::ssize(file.integers(refused.group + "/id"));
@@ -240,17 +255,23 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec, T
     return statistics;
 }
 
+void each_trial(store::ResultsReader const& file, CampaignSpec const& spec, std::span<std::string_view const> columns,
+                TrialRow const& unknown, std::function<void(std::int64_t, TrialRow const&)> const& take) {
+    auto table = held_in(file, stored_trial_table(file, spec));
+    std::erase_if(table.columns,
+                  [&](Field const& column) { return std::ranges::find(columns, column.name) == columns.end(); });
+    std::int64_t number = 0;
+    each_row<TrialRow>(
+        file, table, file.length("trials/verdict"), [&](TrialRow const& row) { take(number++, row); }, unknown);
+}
+
 void each_failed(store::ResultsReader const& file, CampaignSpec const& spec,
                  std::function<void(std::int64_t, FailureReason)> const& take) {
-    auto table = stored_trial_table(file, spec);
-    std::erase_if(table.columns,
-                  [](Field const& column) { return column.name != "verdict" && column.name != "failure"; });
-    std::int64_t number = 0;
-    each_row<TrialRow>(file, table, file.length("trials/verdict"), [&](TrialRow const& row) {
+    constexpr std::array<std::string_view, 2> columns{"verdict", "failure"};
+    each_trial(file, spec, columns, {}, [&](std::int64_t number, TrialRow const& row) {
         if (row.verdict == Verdict::failed) {
             take(number, row.failure);
         }
-        ++number;
     });
 }
 

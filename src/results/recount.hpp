@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "campaign/campaign_input.hpp"
@@ -28,6 +30,11 @@ namespace overturn {
 /// the columns that are counted alone.
 [[nodiscard]] Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec,
                                  TrialsHeld held = TrialsHeld::all);
+
+/// Calls `take` with the number and the row of every trial, in their order, in the memory of some rows. Of the rows
+/// these columns are read; what else they hold, and columns that the file does not have, is as in `unknown`.
+void each_trial(store::ResultsReader const& file, CampaignSpec const& spec, std::span<std::string_view const> columns,
+                TrialRow const& unknown, std::function<void(std::int64_t, TrialRow const&)> const& take);
 
 /// Calls `take` with the number and the reason of every trial that failed, in their order.
 void each_failed(store::ResultsReader const& file, CampaignSpec const& spec,

@@ -1,8 +1,10 @@
 #include "results/telling_trials.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,7 +13,6 @@
 #include "core/error.hpp"
 #include "response/registry.hpp"
 #include "results/recount.hpp"
-#include "results/stored_names.hpp"
 
 namespace overturn {
 namespace {
@@ -151,23 +152,13 @@ std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, Plan const& p
 }
 
 std::vector<TellingTrial> telling_trials(CampaignSpec const& spec, store::ResultsReader const& file) {
-    constexpr std::int64_t at_once = 1 << 14U;  // a file may hold more than memory does
-    auto table = held_in(file, stored_trial_table(file, spec));
-    std::erase_if(table.columns, [](Field const& column) {
-        return column.name != "verdict" && column.name != "peak_rotation_ratio" && column.name != "peak_slip";
-    });
-    Scan scan(spec, plan_in(file, spec));
-    std::vector<TrialRow> rows;
-    auto const length = file.length("trials/verdict");
+    constexpr std::array<std::string_view, 3> columns{"verdict", "peak_rotation_ratio", "peak_slip"};
     TrialRow unknown;
     unknown.peak_rotation_ratio = unknown.peak_slip_m = never;
-    for (std::int64_t first = 0; first < length; first += at_once) {
-        rows.assign(std::min(at_once, length - first), unknown);
-        file.rows(table, length, first, std::as_writable_bytes(std::span(rows)));
-        for (auto const& row : rows) {
-            scan.add(row.verdict, row.peak_rotation_ratio, row.peak_slip_m);
-        }
-    }
+    Scan scan(spec, plan_in(file, spec));
+    each_trial(file, spec, columns, unknown, [&](std::int64_t, TrialRow const& row) {
+        scan.add(row.verdict, row.peak_rotation_ratio, row.peak_slip_m);
+    });
     return scan.found();
 }
 

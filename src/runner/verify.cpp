@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 #include <memory>
-#include <numeric>
 #include <random>
 #include <vector>
 
@@ -37,6 +38,28 @@ struct Place {
     int kind = std::numeric_limits<int>::max();  ///< 0 trial, 1 wave, 2 rare event
     std::int64_t row = 0;
     std::string text;
+};
+
+// Runs through the numbers of rows, which are too many to be listed.
+class RowNumber {
+  public:
+    using iterator_category = std::forward_iterator_tag;
+    using value_type = std::int64_t;
+    using difference_type = std::ptrdiff_t;
+    using pointer = std::int64_t const*;
+    using reference = std::int64_t const&;
+
+    explicit RowNumber(std::int64_t number) : number_(number) {}
+    [[nodiscard]] reference operator*() const { return number_; }
+    RowNumber& operator++() {
+        ++number_;
+        return *this;
+    }
+    RowNumber operator++(int) { return RowNumber(number_++); }
+    [[nodiscard]] bool operator==(RowNumber const&) const = default;
+
+  private:
+    std::int64_t number_;
 };
 
 class Verifier {
@@ -107,11 +130,9 @@ class Verifier {
             }
             return;
         }
-        std::vector<std::int64_t> rows(all);
-        std::iota(rows.begin(), rows.end(), 0);
         std::vector<std::int64_t> drawn;
         std::mt19937_64 random(request.seed);
-        std::ranges::sample(rows, std::back_inserter(drawn), *request.sample, random);
+        std::sample(RowNumber{0}, RowNumber{all}, std::back_inserter(drawn), *request.sample, random);
         for (auto const row : drawn) {
             if (row >= trials_) {
                 add_rare(row - trials_);

@@ -65,6 +65,34 @@ class Columns(unittest.TestCase):
             results.trials.to_pandas(["verdict"])
         self.assertEqual(read, ["/trials/verdict"])
 
+    def test_of_the_first_rows(self):
+        results = overturn.open("campaign.h5")
+        for group in ("trials", "waves"):
+            whole, few = results.table(group), results.table(group, rows=3)
+            for name, column in few.items():
+                self.assertEqual(len(column), 3)
+                np.testing.assert_array_equal(column.values, whole[name].values[:3])
+        self.assertEqual(len(results.table("waves", rows=10**6)["id"]), len(results.waves["id"]))
+
+    def test_of_a_page(self):
+        """Of some waves: each body has their trials, and no others."""
+        from overturn.report.campaign_results import CampaignResults
+        results = overturn.open("campaign.h5")
+        bodies = [{"name": name} for name in results.bodies]
+        stripes = [{"body": body["name"], "measure": "pga", **dict.fromkeys(("amplitude", "trials", "at_rest", "probability", "purpose"))}
+                   for body in bodies]
+        trials, levels = results.trials, len(results.levels["amplitude"])
+        for shown in (None, 2):
+            page = CampaignResults("campaign.h5", bodies, stripes, {"symbol": "1", "si": 1}, shown)
+            count = shown or len(results.waves["id"])
+            self.assertEqual(len(page.waves["id"]), count)
+            for body in page.bodies:
+                mine = (trials["body"].names == body.name) & (np.arange(len(trials["body"])) < count * levels * len(bodies))
+                self.assertEqual(mine.sum(), count * levels)
+                np.testing.assert_array_equal(body.trials("v_ereq"), trials["v_ereq"].values[mine])
+                np.testing.assert_array_equal(body.ended("decided"), trials["verdict"].of("decided")[mine])
+                self.assertEqual([name for name, which in body.kinds("verdict") if which[0]], [trials["verdict"].names[mine][0]])
+
     def test_without_a_name_for_a_number_are_refused(self):
         with h5py.File("unnamed.h5", "w") as file:
             data = file.create_dataset("verdict", data=np.array([0, 7], "u1"), dtype=h5py.enum_dtype({"at-rest": 0, "failed": 5}, "u1"))

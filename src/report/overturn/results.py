@@ -40,8 +40,8 @@ class Column:
     """One column. `units`, `meaning` and `categories` (names in the order of their numbers, empty of plain numbers) are
     read with it, `values` when they are asked for."""
 
-    def __init__(self, data):
-        self._data = data
+    def __init__(self, data, rows=None):
+        self._data, self._rows = data, rows
         self.name = name_since(data.name.rsplit("/", 1)[1])
         self.attrs = {key: plain(value) for key, value in data.attrs.items()
                       if key not in ("DIMENSION_LIST", "REFERENCE_LIST", "CLASS", "NAME")}
@@ -61,7 +61,7 @@ class Column:
         return dict(sorted((stored or {}).items(), key=lambda item: item[1]))
 
     def __len__(self):
-        return len(self._data)
+        return len(self._data) if self._rows is None else min(self._rows, len(self._data))
 
     def __repr__(self):
         return f"<{self._data.name}: {len(self)} of [{self.units}], {self.meaning}>"
@@ -69,7 +69,7 @@ class Column:
     @property
     def values(self):
         """As stored: numbers, of categories too; texts as str."""
-        values = self._data[()]
+        values = self._data[()] if self._rows is None else self._data[:self._rows]
         return np.char.decode(values, "utf-8") if values.dtype.kind == "S" else values
 
     @property
@@ -92,16 +92,17 @@ class Column:
         if what not in self.attrs:
             raise Error(f"{self._data.file.filename}: {self._data.name} does not say which verdicts are '{what}' (edited?). "
                         "Restore the file or run the campaign again")
-        return np.isin(self.names, self.attrs[what].split(", "))
+        return np.isin(self.categories, self.attrs[what].split(", "))[self.codes]
 
 
 class Table(Mapping):
     """Columns by name. `axis` is the one that its rows lie on ("row" if no column names them); the attributes of its group
     are in `attrs`."""
 
-    def __init__(self, group, only=None):
+    def __init__(self, group, only=None, rows=None):
+        """rows: of each column the first so many; None: all"""
         self.attrs = {key: plain(value) for key, value in group.attrs.items()}
-        self._columns = {name_since(name): Column(data) for name, data in group.items()
+        self._columns = {name_since(name): Column(data, rows) for name, data in group.items()
                          if isinstance(data, h5py.Dataset) and (only is None or name in only)}
         self._share_rows()
         axes = [column.axes[0] for column in self._columns.values() if column.axes and column.axes[0]]
@@ -235,11 +236,11 @@ class Results:
     def __contains__(self, place):
         return place in self.file
 
-    def table(self, place):
-        """The columns of any group: "trials/contact", "quantiles/type-b/peak_slip"; `overturn list columns FILE.h5` names all."""
+    def table(self, place, rows=None):
+        """rows: of each column the first so many. The columns of any group: "trials/contact", "quantiles/type-b/peak_slip"; `overturn list columns FILE.h5` names all."""
         self._require(place)
         self._require_columns(place)
-        return Table(self.file[place])
+        return Table(self.file[place], rows=rows)
 
     def by_body(self, place):
         """The same of a group that holds one for each body: "isotonic", "grid"."""

@@ -35,7 +35,8 @@ class Report:
         self.data, self.fit, self.notes = data, data["fit"], data["notes"]
         self.stripes = {limit["name"]: [s for s in self.fit["stripes"] if s["limit"] == limit["name"]]
                         for limit in self.fit["limit_states"]}
-        self.results = CampaignResults(path_of(data["file"]), self.fit["bodies"], self.stripes[OVERTURNING], data["levels_unit"])
+        self.results = CampaignResults(path_of(data["file"]), self.fit["bodies"], self.stripes[OVERTURNING], data["levels_unit"],
+                                       data["waves_shown"])
         self.limit_names = {limit["name"]: limit["said"] for limit in self.fit["limit_states"]}  # as lines call them
         self.ends = [end for end in self.results.ends if end in self.fit["stripes"][0]]  # of those that the program knows
         tables = {part: self.fit[part] for part in ("probabilities", "band", "isotonic", "drawn", "warnings")}

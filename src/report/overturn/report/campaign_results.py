@@ -9,13 +9,14 @@ import numpy as np
 class Body:
     """One body: its numbers, its stripes of overturning, what waves offer it, and its trials column by column."""
 
-    def __init__(self, file, numbers, stripes, trials):
+    def __init__(self, file, numbers, stripes, trials, waves):
         self.name, self.numbers, self._trials = numbers["name"], numbers, trials
         self.stripes = {key: np.array([np.nan if row[key] is None else row[key] for row in stripes])
                         for key in ("amplitude", "trials", "at_rest", "probability", "purpose")}
         offered = f"waves/{self.name}"
-        self.measures = values_of(file.table(offered)) if offered in file else {}
-        self._mine = np.flatnonzero(trials["body"].names == self.name)
+        self.measures = values_of(file.table(offered, waves)) if offered in file else {}
+        body = trials["body"]
+        self._mine = np.flatnonzero(body.codes == body.categories.index(self.name))
 
     def trials(self, column):
         """A column of this body's trials, in the file's order; NaN where the file does not have it."""
@@ -41,13 +42,15 @@ def values_of(table):
 
 
 class CampaignResults:
-    def __init__(self, path, bodies, stripes, unit):
-        """bodies, stripes: rows of those tables, of overturning. unit: in which levels were written. The program has held the file against its seal."""
+    def __init__(self, path, bodies, stripes, unit, shown=None):
+        """shown: so many waves, the first of the file, are read with their trials; None: all. bodies, stripes: rows of those tables, of overturning. unit: in which levels were written. The program has held the file against its seal."""
         file = package.Results(path, unverified=True)
-        trials = file.trials
-        self.about, self.waves = file.about, values_of(file.waves)
+        waves, trials = len(file.waves["id"]), len(file.trials["verdict"])
+        trials = file.table("trials", rows=None if shown is None else trials * shown // waves)
+        self.about, self.waves = file.about, values_of(file.table("waves", rows=shown))
         self.measure, self._unit = stripes[0]["measure"], unit
-        self.bodies = [Body(file, body, [row for row in stripes if row["body"] == body["name"]], trials) for body in bodies]
+        self.bodies = [Body(file, body, [row for row in stripes if row["body"] == body["name"]], trials, shown)
+                       for body in bodies]
         self.ends = [name.replace("-", "_") for name in trials["verdict"].categories]  # the columns of stripes that count them
         self.measured_energy = "v_wes" in trials  # whether V_WES and ouV_E were wanted
 
