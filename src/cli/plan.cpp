@@ -291,10 +291,9 @@ int plan_campaign(PlanOptions const& options) {
         return estimate_ranks(spec, plan.without_refusals(), seconds_of(start, cost, rare), ranks);
     };
     auto const one = estimate(1);
-    print_entry("time", fmt::format("about {} on the {} cores here, {} on one ({}); results file: about {:.2f} MB",
+    print_entry("time", fmt::format("about {} on the {} cores here, {} on one ({}); results file: about {}",
                                     duration_text(estimate(cores).wall_s()), cores, duration_text(one.wall_s()),
-                                    parts_text(one),
-                                    1e-6 * static_cast<double>(file_bytes(input, spec, plan.without_refusals()))));
+                                    parts_text(one), file_text(input, spec, plan.without_refusals())));
     if (options.ranks) {
         print_entry("ranks", ranks_text(estimate(*options.ranks)));
     }

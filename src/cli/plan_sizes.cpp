@@ -1,5 +1,7 @@
 #include "cli/plan_sizes.hpp"
 
+#include <optional>
+
 #include <fmt/format.h>
 
 #include "campaign/block_rows.hpp"
@@ -15,6 +17,21 @@ namespace {
 std::string count_of_folders(std::int64_t blocks) {
     auto const folders = (blocks + store::blocks_in_a_folder - 1) / store::blocks_in_a_folder;
     return folders == 1 ? std::string("one folder") : fmt::format("{} folders", folders);
+}
+
+// Columns of fewer rows are not compressed.
+constexpr std::int64_t least_packed_trials = 16384;
+// Of the rows of quickstart 6.3, of others 5.6: src/store/README.md.
+constexpr double times_smaller = 6;
+
+std::string bytes_text(double bytes) {
+    constexpr double giga = 1e9, mega = 1e6;
+    return bytes < giga ? fmt::format("{:.2f} MB", bytes / mega) : fmt::format("{:.2f} GB", bytes / giga);
+}
+
+std::optional<double> packed_bytes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
+    auto const all = static_cast<double>(file_bytes(input, spec, plan));
+    return plan.trials() > least_packed_trials ? std::optional(all / times_smaller) : std::nullopt;
 }
 
 std::int64_t waves_of_curves(Plan const& plan) {
@@ -58,13 +75,19 @@ std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Pl
     return bytes;
 }
 
+std::string file_text(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
+    auto const plain = bytes_text(static_cast<double>(file_bytes(input, spec, plan)));
+    auto const packed = packed_bytes(input, spec, plan);
+    return packed ? fmt::format("{} (with --packed {})", plain, bytes_text(*packed)) : plain;
+}
+
 std::string scratch_line(Plan const& plan) {
     auto const bytes = static_cast<double>(BlockRows::packed_size(plan, 0));
-    return labelled("scratch",
-                    fmt::format("{} block files of {} waves, {:.1f} kB each, {:.2f} MB in {}, deleted "
-                                "after merging",
-                                plan.blocks(), plan.block_size(), bytes / 1e3,
-                                bytes * static_cast<double>(plan.blocks()) / 1e6, count_of_folders(plan.blocks())));
+    return labelled("scratch", fmt::format("{} block files of {} waves, {:.1f} kB each, {} in {}, deleted "
+                                           "after merging",
+                                           plan.blocks(), plan.block_size(), bytes / 1e3,
+                                           bytes_text(bytes * static_cast<double>(plan.blocks())),
+                                           count_of_folders(plan.blocks())));
 }
 
 std::string memory_lines(CampaignSpec const& spec, Plan const& plan) {
@@ -84,7 +107,9 @@ Json sizes_json(CampaignInput const& input, CampaignSpec const& spec, Plan const
         scratch += BlockRows::packed_size(plan, block);
     }
     auto const waves = waves_of_curves(plan);
+    auto const packed = packed_bytes(input, spec, plan);
     return {{"file_bytes", file_bytes(input, spec, plan)},
+            {"file_bytes_packed", or_null(packed.has_value(), packed.value_or(0))},
             {"scratch_bytes", scratch},
             {"memory_bytes", memory_of_trials(spec, plan.trials())},
             {"waves_of_curves", or_null(waves < plan.waves(), waves)}};

@@ -1,5 +1,7 @@
 // Requirement R-1001: two runs of one campaign give byte-identical files, on any number of ranks; a row can be rerun
 // from the file alone.
+#include <nlohmann/json.hpp>
+
 #include "cli/campaign_files.hpp"
 #include "cli/python.hpp"
 #include "support/command.hpp"
@@ -83,6 +85,15 @@ TEST_F(Run, PackedIsSmallerAndTheSame) {
     auto const plain = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "plain.h5"}, "plain.h5");
     auto const packed = bytes({OVERTURN_PROGRAM, "run", "c.toml", "-o", "packed.h5", "--packed"}, "packed.h5");
     EXPECT_LT(packed.size(), plain.size() / 5);
+    auto const sizes = nlohmann::json::parse(overturn(folder, {"plan", "c.toml", "--json"}).out);
+    EXPECT_NEAR(sizes["file_bytes"].get<double>() / static_cast<double>(plain.size()), 1, 0.15) << "R-904";
+    EXPECT_NEAR(sizes["file_bytes_packed"].get<double>() / static_cast<double>(packed.size()), 1, 0.5);
+    folder.write("large.toml", small_campaign("shared", 400'000));
+    for (auto const& [name, text] :
+         {std::pair("c.toml", " MB (with --packed "), {"large.toml", " GB (with --packed "}}) {
+        auto const plan = planned(folder, {name}).out;
+        EXPECT_NE(plan.find(text), std::string::npos) << plan;
+    }
     std::vector<std::string> const fewer{"--set", "levels.values={from='1 gal', to='500 gal', count=2700}"};
     auto const plain_of_fewer =
         bytes(joined({OVERTURN_PROGRAM, "run", "c.toml", "-o", "fewer.h5"}, fewer), "fewer.h5").size();
@@ -91,6 +102,8 @@ TEST_F(Run, PackedIsSmallerAndTheSame) {
             bytes(joined({OVERTURN_PROGRAM, "run", "c.toml", "-o", "few.h5", "--packed"}, fewer), "few.h5").size()),
         static_cast<double>(plain_of_fewer), 0.01 * static_cast<double>(plain_of_fewer))
         << "up to 16 384 trials it is no smaller, as the help says";
+    auto const no_smaller = nlohmann::json::parse(overturn(folder, joined({"plan", "c.toml", "--json"}, fewer)).out);
+    EXPECT_TRUE(no_smaller["file_bytes_packed"].is_null());
     expect_same(packed, bytes(mpirun(2, {"run", "c.toml", "-o", "two.h5", "--packed"}), "two.h5"), "two.h5");
     for (auto const* part : {"1/2", "2/2"}) {
         EXPECT_EQ(overturn(folder, {"run", "c.toml", "-o", "parts.h5", "--part", part}).code, 0);
