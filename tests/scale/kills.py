@@ -1,9 +1,10 @@
 """Requirement R-1101, R-1107: kills runs while they compute, extend and merge, and holds what is there against unbroken runs.
 
-    kills.py PROGRAM [KILLS] [--mpirun MPIRUN] [--seed N]
+    kills.py PROGRAM [KILLS] [--mpirun MPIRUN] [--seed N] [--kinds KIND ...]
 
-Each round takes one campaign through growth by waves, a body or levels: a finished file by --extend; the blocks of a killed run by
---resume; or by two parts and the verb merge. Every kill is SIGKILL, of all processes at once, of one rank, or of mpirun alone, at a
+Campaigns are plain, packed (of more than 16 384 trials, with --packed), with a target that ends them, or with a rule that refuses waves.
+Each round takes one of them through growth by waves, a body or levels: a finished file by --extend; the blocks of a killed run by
+--resume; or by two parts and the verb merge (not of waves that a rule refuses: parts may have to be followed by a run). Every kill is SIGKILL, of all processes at once, of one rank, or of mpirun alone, at a
 random instant of the run or of its merging. After each the finished file that was there must be there still, byte by byte, or be the
 larger one; every block that was committed must be there still; and at the end the file must have the bytes of the larger campaign run
 at once. Ends with 1 at the first loss.
@@ -28,10 +29,9 @@ count = {waves}
 duration = '20.48 s'
 time_step = '0.02 s'
 match = 'each'
-match_iterations = 2
-[waves.target]
+{rule}[waves.target]
 spectrum = 'mlit-ch1'
-longest = '6 s'
+longest = '{longest}'
 time_scale = 0.632
 [waves.envelope]
 shape = 'jennings'
@@ -46,8 +46,8 @@ centre_height = '1.045 m'
 inertia = 'uniform-block'
 {body}[levels]
 measure = 'pga'
-values = [{levels}]
-"""
+values = {levels}
+{statistics}"""
 BODY = """[[bodies]]
 name = 'type-a'
 mass = '12.6 t'
@@ -56,10 +56,38 @@ centre_height = '1.045 m'
 inertia = 'uniform-block'
 friction = 0.5
 """
-FEW, MORE = "'300 gal', '600 gal', '1200 gal'", "'300 gal', '450 gal', '600 gal', '900 gal', '1200 gal'"
-SMALL = {"waves": 12, "body": "", "levels": FEW}
+FEW, MORE = "['300 gal', '600 gal', '1200 gal']", "['300 gal', '450 gal', '600 gal', '900 gal', '1200 gal']"
+SMALL = {"waves": 12, "body": "", "levels": FEW, "rule": "match_iterations = 2\n", "longest": "6 s", "statistics": ""}
 GROWTHS = {"waves": {"waves": 30}, "a body": {"body": BODY}, "levels": {"levels": MORE},
            "all of these": {"waves": 20, "body": BODY, "levels": MORE}}
+
+
+def many_levels(count, step):
+    return "[" + ", ".join(f"'{100 + step * place:.1f} gal'" for place in range(count)) + "]"
+
+
+def target(half_width):
+    return f"[statistics]\ntarget_half_width = {half_width}\n"
+
+
+class Kind:
+    """What campaigns of one kind have beside the others, and how they are run."""
+
+    def __init__(self, small=None, growths=None, flags=(), parts=True):
+        self.small = SMALL | (small or {})
+        self.growths = GROWTHS if growths is None else growths
+        self.flags, self.ways = list(flags), ["--extend", "--resume", *(["parts and merge"] if parts else [])]
+
+
+# Of a target the first look is at 32 waves: with a smaller one more are needed, with the same none less.
+KINDS = {
+    "plain": Kind(),
+    "packed": Kind({"waves": 12, "levels": many_levels(1400, 0.8)}, {"waves": {"waves": 20}, "a body": {"body": BODY},
+                   "levels": {"levels": many_levels(2799, 0.4)}}, flags=["--packed"]),
+    "target": Kind({"waves": 100, "statistics": target(0.3)},
+                   {"waves": {"waves": 300, "statistics": target(0.12)}, "a body": {"body": BODY}, "levels": {"levels": MORE}}),
+    "rule": Kind({"rule": "acceptance = 'japan'\n", "longest": "10 s"}, parts=False),
+}
 SHORT_S = 0.03  # that merging takes, and some blocks
 LAUNCHER_ENDS_S = 30  # after its ranks
 MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
@@ -105,7 +133,7 @@ class Kills:
         self.program, self.mpirun, self.random = program, mpirun, random.Random(seed)
         self.count = collections.Counter()
         self.started = 0
-        self.way = ""
+        self.way, self.name, self.kind = "", "", None
 
     def launched(self, verb):
         """The command, on a random number of ranks where the verb has any."""
@@ -125,7 +153,7 @@ class Kills:
         """The bytes of the campaign run at once, and how long that takes."""
         begin = time.monotonic()
         launch = [self.mpirun, "-n", "2"] if self.mpirun else []
-        subprocess.run([*launch, self.program, "run", f"{campaign}.toml", "-o", name], cwd=folder, check=True, capture_output=True,
+        subprocess.run([*launch, self.program, "run", f"{campaign}.toml", "-o", name, *self.kind.flags], cwd=folder, check=True, capture_output=True,
                        env=self.environment(folder))
         return digest(folder / name), time.monotonic() - begin
 
@@ -162,7 +190,7 @@ class Kills:
                      "among blocks" if blocks else "before the first block, or after the end")
             self.count["kills"] += 1
             self.count[f"of {victim}"] += 1
-            self.count[f"{self.way}: {phase}"] += 1
+            self.count[f"{self.name}, {self.way}: {phase}"] += 1
 
     def wait_for_end(self, process, ranks):
         """Until no rank works: they outlive a killed mpirun for some seconds. mpirun of Open MPI 4.1.4 may wait for ever for a lock of its
@@ -210,7 +238,7 @@ class Kills:
 
     def begin(self, folder, wholes):
         """Runs the small campaign as its way asks: to its end, or until it is killed among its blocks."""
-        run = ["run", "small.toml", "-o", "c.h5", "--resume"]
+        run = ["run", "small.toml", "-o", "c.h5", "--resume", *self.kind.flags]
         wanted, life_s = wholes["small"]
         if self.way == "--extend":
             return self.go_on(folder, [run], wanted, None, life_s, self.random.randint(0, 2))
@@ -219,15 +247,37 @@ class Kills:
             return self.loss(folder, None, wanted, {})
         return ""
 
+    def wholes(self, folder):
+        """The campaigns of this kind, each run at once: of one name in the file, whatever it was extended from."""
+        found = {}
+        for name, change in {"small": {}, **self.kind.growths}.items():
+            (folder / f"{name}.toml").write_text(CAMPAIGN.format(**self.kind.small | change))
+            found[name] = self.whole(folder, name, "whole.h5")
+            (folder / "whole.h5").unlink()
+        return found
+
+    def of_kind(self, place, name, kills):
+        """Rounds with campaigns of a kind until so many runs were killed. \return what was lost; empty: nothing"""
+        folder = place / name
+        folder.mkdir()
+        self.name, self.kind = name, KINDS[name]
+        wholes, before = self.wholes(folder), self.count["kills"]
+        while self.count["kills"] < before + kills:
+            lost = self.round(folder, wholes)
+            print(f"{name}: {self.count['kills'] - before} of {kills} kills", file=sys.stderr)
+            if lost:
+                return f"{name}, {lost}"
+        return ""
+
     def round(self, folder, wholes):
-        self.way = self.random.choice(("--extend", "--resume", "parts and merge"))
-        growth = self.random.choice(list(GROWTHS))
+        self.way = self.random.choice(self.kind.ways)
+        growth = self.random.choice(list(self.kind.growths))
         lost = self.begin(folder, wholes)
         if lost:
             return f"{self.way}, begun: {lost}"
-        run = ["run", f"{growth}.toml", "-o", "c.h5"]
+        run = ["run", f"{growth}.toml", "-o", "c.h5", *self.kind.flags]
         if self.way == "parts and merge":
-            verbs = [[*run, "--resume", "--part", "1/2"], [*run, "--resume", "--part", "2/2"], ["merge", "c.h5"]]
+            verbs = [[*run, "--resume", "--part", "1/2"], [*run, "--resume", "--part", "2/2"], ["merge", "c.h5", *self.kind.flags]]
         else:  # a small run that was killed too late has made its file
             verbs = [[*run, "--extend" if self.way == "--extend" or (folder / "c.h5").exists() else "--resume"]]
         lost = self.go_on(folder, verbs, wholes[growth][0], digest(folder / "c.h5"), wholes[growth][1], self.random.randint(1, 3))
@@ -244,21 +294,12 @@ def main():
     options.add_argument("kills", type=int, nargs="?", default=6)
     options.add_argument("--mpirun", default="")
     options.add_argument("--seed", type=int, default=2013)
+    options.add_argument("--kinds", nargs="+", choices=list(KINDS), default=["plain"])
     asked = options.parse_args()
     kills = Kills(os.path.abspath(asked.program), asked.mpirun, asked.seed)
     with tempfile.TemporaryDirectory(prefix="overturn-kills-") as place:
-        folder = pathlib.Path(place)
-        (folder / "small.toml").write_text(CAMPAIGN.format(**SMALL))
-        for name, change in GROWTHS.items():
-            (folder / f"{name}.toml").write_text(CAMPAIGN.format(**SMALL | change))
-        wholes = {}
-        for name in ["small", *GROWTHS]:
-            # Of one name in the file, whatever it was extended from.
-            wholes[name] = kills.whole(folder, name, "whole.h5")
-            (folder / "whole.h5").unlink()
-        while kills.count["kills"] < asked.kills:
-            lost = kills.round(folder, wholes)
-            print(f"{kills.count['kills']} of {asked.kills} kills", file=sys.stderr)
+        for kind in asked.kinds:
+            lost = kills.of_kind(pathlib.Path(place), kind, -(-asked.kills // len(asked.kinds)))
             if lost:
                 print(f"LOST after {kills.count['kills']} kills: {lost}")
                 return 1
