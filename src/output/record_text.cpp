@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include "campaign/intensity_measure.hpp"
+#include "core/field.hpp"
 #include "motion/column_unit.hpp"
 
 namespace overturn::output {
+
+std::string key_of(IntensityMeasure const& measure) {
+    return Field{std::string(measure.name), measure.units(), {}}.key();
+}
 
 Json record_json(PlacedRecord const& record) {
     return {{"format", record.format},
@@ -21,21 +26,13 @@ Json record_json(PlacedRecord const& record) {
 
 Json json_of(PlacedRecord const& record, RecordSpectra const& spectra) {
     Json json{{"record", record_json(record)},
-              {"pga", spectra.intensity.pga_mps2},
-              {"pgv", spectra.intensity.pgv_mps},
-              {"pgd", spectra.intensity.pgd_m},
-              {"arias", spectra.intensity.arias_mps},
-              {"residual_velocity", spectra.drift.end_velocity_mps},
-              {"residual_displacement", spectra.drift.end_displacement_m},
+              {"pga_mps2", spectra.intensity.pga_mps2},
+              {"pgv_mps", spectra.intensity.pgv_mps},
+              {"pgd_m", spectra.intensity.pgd_m},
+              {"arias_mps", spectra.intensity.arias_mps},
+              {"residual_velocity_mps", spectra.drift.end_velocity_mps},
+              {"residual_displacement_m", spectra.drift.end_displacement_m},
               {"residual_velocity_over_pgv", spectra.drift.share()},
-              {"units",
-               {{"pga", measure_named("pga")->units()},
-                {"pgv", measure_named("pgv")->units()},
-                {"pgd", measure_named("pgd")->units()},
-                {"arias", "m/s"},
-                {"residual_velocity", "m/s"},
-                {"residual_displacement", "m"},
-                {"residual_velocity_over_pgv", "1"}}},
               {"damping", spectra.damping},
               {"period_s", spectra.response.period_s},
               {"sa_mps2", spectra.response.sa_mps2},
@@ -46,16 +43,15 @@ Json json_of(PlacedRecord const& record, RecordSpectra const& spectra) {
               {"v_e_mps", spectra.v_e_mps},
               {"v_e0_mps", spectra.v_e0_mps}};
     for (auto const& [measure, value] : measures_of(record.motion)) {
-        json[std::string(measure->name)] = value;
-        json["units"][std::string(measure->name)] = measure->units();
+        json[key_of(*measure)] = value;
     }
     if (auto const& energy = spectra.energy) {
-        json["energy"] = {{"T0_s", energy->band.t0_s},
-                          {"T1_s", energy->band.t1_s},
+        json["energy"] = {{"t0_s", energy->band.t0_s},
+                          {"t1_s", energy->band.t1_s},
                           {"ou_v_e_mps", energy->restarted.ou_v_e_mps},
-                          {"v_wes_max_mps", energy->restarted.v_wes_max_mps},
+                          {"v_wes_mps", energy->restarted.v_wes_max_mps},
                           {"v_wes_time_s", energy->restarted.v_wes_time_s},
-                          {"v_wes_running_max_mps", energy->running.v_wes_max_mps},
+                          {"v_wes_running_mps", energy->running.v_wes_max_mps},
                           {"v_wes_running_time_s", energy->running.v_wes_time_s},
                           {"v_ereq_mps", energy->v_ereq_mps},
                           {"v_wes_safe", energy->restarted.v_wes_max_mps < energy->v_ereq_mps},

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/intensity_measure.hpp"
 #include "campaign/rocking_band.hpp"
 #include "motion/drift.hpp"
 #include "motion/intensity.hpp"
@@ -16,6 +17,9 @@
 #include "spectra/window_energy.hpp"
 
 namespace overturn::output {
+
+/// Name of a measure's column with its unit: "cav_mps".
+[[nodiscard]] std::string key_of(IntensityMeasure const& measure);
 
 /// Facts of a record as it was read, for `record` of a JSON answer: format, components, unit, time step, samples,
 /// duration and changes. A reader of the JSON can check the record by them.

@@ -17,11 +17,11 @@ namespace {
 
 // Quantities that models share are those of the one that ran: the others know nothing of theirs.
 void add_extra_json(Json& json, ModelSelector const& selector, std::span<std::byte const> extra) {
-    static constexpr std::array matched{"restitution", "corner_share", "normal_restitution"};
+    static constexpr std::array of_matching{"restitution", "corner_share", "normal_restitution"};
     for (auto const& [traits, offset] : selector.extra_parts()) {
         for (auto const& field : traits->fields) {
             auto& place =
-                std::ranges::count(matched, field.name) > 0 ? json["matched"][field.key()] : json[field.key()];
+                std::ranges::count(of_matching, field.name) > 0 ? json["matching"][field.key()] : json[field.key()];
             if (place.is_null()) {
                 place = value_json(extra.subspan(offset), field);
             }
@@ -126,9 +126,8 @@ Json json_of(OneResponse const& of) {
     json["effects_called"] = effect_names(response.called);
     json["overturned"] = entry_of(response.verdict).fell;
     auto stated = stated_of(fields_of<Response>(), bytes_of(response), spec.units);
-    stated["limit_velocity"] = stated_json(spec.body.limit_velocity_mps(), spec.units.velocity);
-    json["response_velocity_mps"] = json["v_resp_mps"];
-    json["limit_velocity_mps"] = spec.body.limit_velocity_mps();
+    stated["v_ereq"] = stated_json(spec.body.limit_velocity_mps(), spec.units.velocity);
+    json["v_ereq_mps"] = spec.body.limit_velocity_mps();
     json["restitution"] = spec.body.restitution();
     json["record"] = record_json(record);
     json["residual_velocity_mps"] = drift.end_velocity_mps;

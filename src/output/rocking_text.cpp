@@ -35,12 +35,11 @@ Json json_of(RockingSpectrum const& spectrum) {
     for (auto const& curve : spectrum.curves) {
         auto points = Json::array();
         for (auto const& point : curve.points) {
-            points.push_back(
-                {{"rocking_period_s", point.period_s},
-                 {"p_radps", 2 * pi / point.period_s},
-                 {"fate", fate_of(point.verdict)},
-                 {"peak_rotation_rad", if_known(point, point.peak_rotation_rad)},
-                 {"peak_rotation_over_alpha", if_known(point, point.peak_rotation_rad / curve.alpha_rad)}});
+            points.push_back({{"rocking_period_s", point.period_s},
+                              {"p_radps", 2 * pi / point.period_s},
+                              {"fate", fate_of(point.verdict)},
+                              {"peak_rotation_rad", if_known(point, point.peak_rotation_rad)},
+                              {"peak_rotation_ratio", if_known(point, point.peak_rotation_rad / curve.alpha_rad)}});
         }
         curves.push_back(
             {{"alpha_rad", curve.alpha_rad}, {"restitution", curve.restitution}, {"points", std::move(points)}});
@@ -56,8 +55,7 @@ Json json_of(RockingSpectrum const& spectrum) {
 }
 
 std::string csv_of(RockingSpectrum const& spectrum) {
-    std::string csv =
-        "alpha_rad,restitution,rocking_period_s,p_radps,fate,peak_rotation_rad,peak_rotation_over_alpha\n";
+    std::string csv = "alpha_rad,restitution,rocking_period_s,p_radps,fate,peak_rotation_rad,peak_rotation_ratio\n";
     auto const out = std::back_inserter(csv);
     for (auto const& curve : spectrum.curves) {
         for (auto const& point : curve.points) {

@@ -10,6 +10,7 @@
 #include "motion/ground_motion.hpp"
 #include "motion/intensity.hpp"
 #include "output/json.hpp"
+#include "output/record_text.hpp"
 
 namespace overturn::output {
 namespace {
@@ -53,7 +54,7 @@ Json match_json(MatchReport const& match) {
     json["worst_decade"] = match.worst_decade;
     json["si_ratio"] = match.intensity_ratio > 0 ? Json(match.intensity_ratio) : Json();  // null: not covered
     json["psd_lowest_ratio"] = match.psd_lowest_ratio;
-    json["psd_lowest_hz"] = match.psd_lowest_hz;
+    json["psd_lowest_frequency_hz"] = match.psd_lowest_hz;
     return json;
 }
 
@@ -107,7 +108,7 @@ std::string wave_json(CampaignSpec const& spec, GeneratedWave const& wave, WaveC
         }
     }
     for (auto const& [measure, value] : measures_of(wave.motion)) {
-        json[std::string(measure->name)] = value;  // [SI]
+        json[key_of(*measure)] = value;
     }
     if (!wave.ratios.empty()) {
         json["match"] = match_json(wave.match);

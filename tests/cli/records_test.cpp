@@ -105,9 +105,9 @@ TEST_F(RecordsOnTheLine, DriftIsReportedWhereLevelsDoNotNeedIt) {
         return json::parse(
             overturn(folder, {"spectrum", "--wave", "drifts.csv", "--json", "--baseline", baseline}).out);
     };
-    EXPECT_NEAR(spectrum("none")["residual_velocity"].get<double>(), 1.76, 0.01);
-    EXPECT_LT(std::abs(spectrum("polynomial")["residual_velocity"].get<double>()), 1e-6);
-    EXPECT_LT(spectrum("polynomial")["pgv"].get<double>(), 0.36);
+    EXPECT_NEAR(spectrum("none")["residual_velocity_mps"].get<double>(), 1.76, 0.01);
+    EXPECT_LT(std::abs(spectrum("polynomial")["residual_velocity_mps"].get<double>()), 1e-6);
+    EXPECT_LT(spectrum("polynomial")["pgv_mps"].get<double>(), 0.36);
     EXPECT_EQ(overturn(folder, {"spectrum", "--wave", "rests.csv"}).out.find("drifts"), std::string::npos);
 }
 
@@ -339,7 +339,7 @@ TEST_F(RecordsOnTheLine, WaveOfACampaignIsReadBack) {
     auto const read = [&](char const* file) {
         return json::parse(overturn(folder, {"spectrum", "--wave", file, "--json"}).out);
     };
-    EXPECT_EQ(read("w.csv")["pga"], read("rests.csv")["pga"]);
+    EXPECT_EQ(read("w.csv")["pga_mps2"], read("rests.csv")["pga_mps2"]);
     EXPECT_EQ(read("w.csv")["record"]["unit"], "m/s2");
 }
 

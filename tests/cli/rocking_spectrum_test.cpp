@@ -74,7 +74,7 @@ TEST_F(RockingSpectrum, UnderAStepOfVelocityIsTheClosedForm) {
                 double const theta = alpha - std::acos(cosine);
                 EXPECT_EQ(point["fate"], "stands") << p;
                 EXPECT_NEAR(point["peak_rotation_rad"], theta, 5e-3 * theta) << p;
-                EXPECT_NEAR(point["peak_rotation_over_alpha"].get<double>() * alpha, point["peak_rotation_rad"], 1e-12);
+                EXPECT_NEAR(point["peak_rotation_ratio"].get<double>() * alpha, point["peak_rotation_rad"], 1e-12);
                 ++standing;
             }
         }
@@ -118,7 +118,7 @@ TEST_F(RockingSpectrum, TextIsRoundedUpAndCsvIsExact) {
     std::istringstream rows(folder.read("r.csv"));
     std::string row;
     std::getline(rows, row);
-    EXPECT_EQ(row, "alpha_rad,restitution,rocking_period_s,p_radps,fate,peak_rotation_rad,peak_rotation_over_alpha");
+    EXPECT_EQ(row, "alpha_rad,restitution,rocking_period_s,p_radps,fate,peak_rotation_rad,peak_rotation_ratio");
     std::getline(rows, row);
     EXPECT_NE(row.find(",overturns,,"), std::string::npos) << row;
     std::getline(rows, row);

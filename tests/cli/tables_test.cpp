@@ -95,6 +95,73 @@ TEST(Tables, OfFileAndJsonShareAllNames) {
     EXPECT_GE(stored.size(), 12U);
 }
 
+// Names of all columns of a file, as JSON has them: with the unit.
+std::set<std::string> names_in(store::ResultsReader const& file) {
+    std::set<std::string> names;
+    for (auto const& column : file.columns()) {
+        auto const name = column.path.substr(column.path.rfind('/') + 1);
+        bool const by_row = column.units.find(';') != std::string::npos;
+        names.insert(by_row ? name : Field{name, column.units, {}}.key());
+    }
+    return names;
+}
+
+// Names of an object that no column of the file has.
+std::set<std::string> names_beside(std::set<std::string> const& names, json const& object) {
+    std::set<std::string> beside;
+    for (auto const& [name, value] : object.items()) {
+        if (!names.contains(name)) {
+            beside.insert(name);
+        }
+    }
+    return beside;
+}
+
+using Names = std::set<std::string>;
+
+// One motion, one trial and one wave have the names of the file's columns; what no file has is listed here.
+TEST(Tables, OfOneMotionHaveTheNamesOfTheFile) {
+    Folder folder;
+    folder.write("target.csv", target_csv);
+    folder.write("c.toml", small_campaign("shared", 2));
+    folder.write("body.toml", "mass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\n");
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    ASSERT_EQ(overturn(folder, {"wave", "c.toml", "--wave", "1", "-o", "w.csv"}).code, 0);
+    store::ResultsReader const file(folder / "c.h5");
+    auto const names = names_in(file);
+    auto const of = [&](std::vector<std::string> const& command) {
+        auto const ended = overturn(folder, command);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return json::parse(ended.out);
+    };
+
+    auto const rock = of({"rock", "--body", "body.toml", "--wave", "w.csv", "--json"});
+    EXPECT_EQ(names_beside(names, rock), (Names{"matching", "record", "stated"}));
+    for (auto const& [name, value] : rock.at("stated").items()) {
+        auto const has_name = [&](store::ColumnMeaning const& c) { return c.path.ends_with("/" + name); };
+        EXPECT_TRUE(std::ranges::any_of(file.columns(), has_name)) << name;
+    }
+
+    auto const spectrum = of({"spectrum", "--wave", "w.csv", "--body", "body.toml", "--json"});
+    EXPECT_EQ(names_beside(names, spectrum),
+              (Names{"damping", "energy", "period_s", "psa_mps2", "psv_mps", "record", "residual_velocity_over_pgv",
+                     "sa_mps2", "sd_m", "sv_mps", "v_e0_mps", "v_e_mps"}));
+    EXPECT_EQ(names_beside(names, spectrum.at("energy")), (Names{"v_wes_running_mps", "v_wes_running_time_s"}));
+
+    auto const rocking =
+        of({"spectrum", "--rocking", "--wave", "w.csv", "--body", "body.toml", "--rocking-periods", "4", "--json"});
+    EXPECT_EQ(names_beside(names, rocking.at("curves").at(0).at("points").at(0)), (Names{"fate", "rocking_period_s"}));
+
+    auto const wave = of({"wave", "c.toml", "--wave", "1", "--json"});
+    EXPECT_EQ(names_beside(names, wave),
+              (Names{"acceptance", "bands", "match", "pgd_drift", "time_step_s", "vertical_match"}));
+
+    auto const trial = of({"replay", "c.h5", "--trial", "1", "--json"}).at("row");
+    EXPECT_EQ(names_beside(names, trial),
+              (Names{"contact", "edge_margin_m", "least_clearance_m", "rocking", "sliding", "spatial", "stated"}))
+        << "the two lengths are in files of campaigns with a site";
+}
+
 // Every number of a curve and of a stripe, NaN where JSON has null.
 TEST(Tables, OfFileAndJsonHaveTheSameNumbers) {
     Folder folder;

@@ -254,7 +254,7 @@ TEST_F(Units, JsonHasWhatWasTypedBesideSi) {
     folder.write("w.csv", "time (s),acc (g)\n0,0\n0.01,0.9\n0.02,0.9\n0.03,0\n0.04,0\n");
     auto const one = json::parse(overturn(folder, {"rock", "--body", "b.toml", "--wave", "w.csv", "--json"}).out);
     expect_typed(one, "peak_rotation", "peak_rotation_rad", "deg", degree_rad);
-    expect_typed(one, "limit_velocity", "limit_velocity_mps", "m/s", 1);
+    expect_typed(one, "v_ereq", "v_ereq_mps", "m/s", 1);
     EXPECT_GT(one.at("peak_rotation_rad").get<double>(), 0);
 }
 

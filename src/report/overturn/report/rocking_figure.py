@@ -17,7 +17,7 @@ def draw(data, path):
     for curve, (colour, dashes) in zip(data["curves"], looks):
         points = curve["points"]
         period = np.array([point["rocking_period_s"] for point in points])
-        tilt = np.array([point["peak_rotation_over_alpha"] for point in points], dtype=float)
+        tilt = np.array([point["peak_rotation_ratio"] for point in points], dtype=float)
         highest = max(highest, np.nanmax(tilt, initial=0))
         label = rf"$\alpha$ {np.degrees(curve['alpha_rad']):.4g}°, $e$ {curve['restitution']:.3g}"
         axes.plot(period, tilt, label=label, color=colour, ls=dashes)
