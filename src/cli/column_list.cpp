@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "core/text_width.hpp"
 #include "core/wrapped.hpp"
@@ -13,44 +12,6 @@
 
 namespace overturn::cli {
 namespace {
-
-// "subset-0" -> "subset-<n>"
-std::string without_number(std::string const& part) {
-    for (std::string_view const numbered : {"subset-", "mixture-", "stage-"}) {
-        if (part.starts_with(numbered)) {
-            return std::string(numbered) + "<n>";
-        }
-    }
-    return part;
-}
-
-// Names that a campaign gives: "limits/touches/stripes/type-a" -> "limits/<limit>/stripes/<body>"
-std::string generic(std::string const& group, std::vector<std::string> const& bodies) {
-    std::vector<std::string> parts;
-    for (std::size_t begin = 0; begin <= group.size();) {
-        auto const end = std::min(group.find('/', begin), group.size());
-        auto part = group.substr(begin, end - begin);
-        auto const before = parts.empty() ? "" : parts.back();
-        bool const of_body = before == "<body>";
-        if (before == "limits" || before == "pairs" || before == "together") {
-            part = "<limit>";
-        } else if (of_body && parts.front() == "quantiles") {
-            part = "<quantity>";
-        } else if (of_body && parts.front() == "criterion_by_level") {
-            part = "<criterion>";
-        } else if (!before.empty() && before != "trials" && std::ranges::find(bodies, part) != bodies.end()) {
-            part = "<body>";
-        }
-        parts.push_back(without_number(part));
-        begin = end + 1;
-    }
-    return fmt::format("{}", fmt::join(parts, "/"));
-}
-
-// Of trials and waves, whose columns follow from the campaign.
-bool is_row(std::string_view group) {
-    return group == "trials" || group.starts_with("trials/") || group == "waves" || group.starts_with("waves/");
-}
 
 // A column as its group's list has it; files of inputs are numbered, and say their names.
 store::ColumnMeaning listed(store::ColumnMeaning column, std::string_view group) {
@@ -101,14 +62,13 @@ void add_groups(store::ResultsReader const& file, std::vector<std::string> const
     auto const bodies = file.members("bodies");
     for (auto const& column : file.columns()) {
         auto const slash = column.path.rfind('/');
-        auto const name = slash == std::string::npos ? "" : generic(column.path.substr(0, slash), bodies);
+        auto const name = slash == std::string::npos ? "" : store::page_name_of(column.path.substr(0, slash), bodies);
         auto group = std::ranges::find(groups, name, &ListedGroup::name);
         if (group == groups.end()) {
             group = groups.insert(groups.end(), {name, {}, {}});
         }
         auto own = listed(column, name);
-        if (is_row(name) ? std::ranges::find(unknown, column.path) != unknown.end()
-                         : !store::is_known_column(name, own.path)) {
+        if (std::ranges::find(unknown, column.path) != unknown.end()) {
             group->unknown.push_back(own.path);
         }
         if (std::ranges::find(group->columns, own.path, &store::ColumnMeaning::path) == group->columns.end()) {

@@ -18,8 +18,7 @@ struct ListedGroup {
 };
 
 /// Adds those of a file to what is listed, in the order of names.
-/// \param unknown paths of columns of trials and waves that this program does not know; those of results are known by
-/// the page of columns
+/// \param unknown paths of columns that this program does not know
 void add_groups(store::ResultsReader const& file, std::vector<std::string> const& unknown,
                 std::vector<ListedGroup>& groups);
 

@@ -95,9 +95,9 @@ int list_keys(ListOptions const& options) {
     return done;
 }
 
-// Of a campaign that this program cannot read it knows no columns, so none can be called unknown.
+// Of a campaign that this program cannot read it knows no columns of rows, so none of these can be called unknown.
 void add_columns(store::ResultsReader const& file, ListedColumns& listed) {
-    std::vector<std::string> unknown;
+    auto unknown = unknown_columns_of_results(file);
     try {
         auto const spec = parse_campaign(input_of(file));
         unknown = unknown_columns(file, spec);

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 #include <string_view>
 #include <utility>
 
 #include "core/error.hpp"
 #include "response/registry.hpp"
 #include "results/schema.hpp"
+#include "store/known_columns.hpp"
 
 namespace overturn {
 namespace {
@@ -38,6 +40,30 @@ bool is_of_model(std::string_view model, std::string_view column) {
         return traits.name == model
                && (column == "trial" || std::ranges::find(traits.fields, column, &Field::name) != traits.fields.end());
     });
+}
+
+// Of trials and waves, whose columns follow from the campaign.
+bool is_of_rows(std::string_view group) {
+    return group == "trials" || group.starts_with(of_model) || group == "waves" || group.starts_with("waves/");
+}
+
+struct ColumnPath {
+    std::string group, name;
+};
+
+ColumnPath placed(std::string const& path) {
+    auto const slash = path.rfind('/');
+    return slash == std::string::npos ? ColumnPath{{}, path}
+                                      : ColumnPath{path.substr(0, slash), path.substr(slash + 1)};
+}
+
+bool is_known(ColumnPath const& path, std::span<store::TableSpec const> tables) {
+    auto const table = std::ranges::find(tables, path.group, &store::TableSpec::group);
+    if (table == tables.end()) {
+        return path.group.starts_with(of_model) && is_of_model(path.group.substr(of_model.size()), path.name);
+    }
+    return path.name == table->axis || path.group + "/" + path.name == table->axis
+           || std::ranges::find(table->columns, path.name, &Field::name) != table->columns.end();
 }
 
 std::vector<store::TableSpec> tables_of_rows(CampaignSpec const& spec) {
@@ -81,28 +107,29 @@ std::vector<UnknownModel> unknown_models(store::ResultsReader const& file) {
     return unknown;
 }
 
-std::vector<std::string> unknown_columns(store::ResultsReader const& file, CampaignSpec const& spec) {
-    auto const known = tables_of_rows(spec);
+std::vector<std::string> unknown_columns_of_results(store::ResultsReader const& file) {
+    auto const bodies = file.members("bodies");
     std::vector<std::string> unknown;
     for (auto const& column : file.columns()) {
-        auto const slash = column.path.rfind('/');
-        auto const group = column.path.substr(0, std::min(slash, column.path.size()));
-        auto const table = std::ranges::find(known, group, &store::TableSpec::group);
-        auto const name = column.path.substr(std::min(slash, column.path.size() - 1) + 1);
-        if (table == known.end() && group.starts_with(of_model)) {
-            if (!is_of_model(group.substr(of_model.size()), name)) {
-                unknown.push_back(column.path);
-            }
-            continue;
-        }
-        if (slash == std::string::npos || table == known.end()) {
-            continue;
-        }
-        bool const axis = name == table->axis || column.path == table->axis;
-        if (!axis && std::ranges::find(table->columns, name, &Field::name) == table->columns.end()) {
+        auto const path = placed(column.path);
+        auto const group = store::page_name_of(path.group, bodies);
+        if (!is_of_rows(group) && group != "inputs" && !store::is_known_column(group, path.name)) {
             unknown.push_back(column.path);
         }
     }
+    return unknown;
+}
+
+std::vector<std::string> unknown_columns(store::ResultsReader const& file, CampaignSpec const& spec) {
+    auto const known = tables_of_rows(spec);
+    auto unknown = unknown_columns_of_results(file);
+    for (auto const& column : file.columns()) {
+        auto const path = placed(column.path);
+        if (is_of_rows(path.group) && !is_known(path, known)) {
+            unknown.push_back(column.path);
+        }
+    }
+    std::ranges::sort(unknown);
     return unknown;
 }
 

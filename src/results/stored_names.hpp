@@ -27,9 +27,13 @@ struct UnknownModel {
 };
 [[nodiscard]] std::vector<UnknownModel> unknown_models(store::ResultsReader const& file);
 
-/// Columns of /trials, models' own among them, /waves and /waves/<body> that this program does not know, by path: they
-/// are kept, and nothing is made of them.
+/// Columns that this program does not know, by path: they are kept, and nothing is made of them. Those of /trials,
+/// models' own among them, /waves and /waves/<body> follow from the campaign, those of results from the page of
+/// columns.
 [[nodiscard]] std::vector<std::string> unknown_columns(store::ResultsReader const& file, CampaignSpec const& spec);
+
+/// Those of results alone, which need no campaign.
+[[nodiscard]] std::vector<std::string> unknown_columns_of_results(store::ResultsReader const& file);
 
 /// Columns of /trials, models' own among them, /waves and /waves/<body> that this program would write and the file does
 /// not have, by path.

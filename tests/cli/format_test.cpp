@@ -260,22 +260,56 @@ TEST_F(Format, AProgramWithMoreIsRead) {
     EXPECT_EQ(overturn(folder, {"report", "more.h5", "-o", "more.html"}).code, 0);
     EXPECT_NE(
         read_text(folder / "more.html")
-            .find("columns that this program does not know: trials/crush/depth, trials/crush/hits, waves/loudness"),
+            .find("columns that this program does not know: stripes/block/crushed, stripes/block/crushing_called, "
+                  "trials/crush/depth, trials/crush/hits, waves/loudness"),
         std::string::npos);
     // Where the models of both ran a trial it is the same to the bit.
     EXPECT_EQ(overturn(folder, {"replay", "more.h5", "--trial", "0"}).code, 0);
     auto const verified = overturn(folder, {"verify", "more.h5"});
     EXPECT_EQ(verified.code, 1);
     EXPECT_NE(
-        verified.err.find("not compared (this program does not know them): trials/crush/depth, trials/crush/hits, "
-                          "waves/loudness\n"),
+        verified.err.find("not compared (this program does not know them): stripes/block/crushed, "
+                          "stripes/block/crushing_called, trials/crush/depth, trials/crush/hits, waves/loudness\n"),
         std::string::npos)
         << verified.err;
     EXPECT_NE(verified.out.find("0 waves differ"), std::string::npos) << verified.out;
+    json const unknown{"stripes/block/crushed", "stripes/block/crushing_called", "trials/crush/depth",
+                       "trials/crush/hits", "waves/loudness"};
     for (std::string const verb : {"fit", "status"}) {
         auto const found = json::parse(overturn(folder, {verb, "more.h5", "--json"}).out).at("unknown_columns");
-        EXPECT_EQ(found, (json{"trials/crush/depth", "trials/crush/hits", "waves/loudness"})) << verb;
+        EXPECT_EQ(found, unknown) << verb;
     }
+}
+
+// R-1003: a column that this program does not know is named whichever table it stands in, and no other is: files of
+// every format have none.
+TEST_F(Format, UnknownColumnsOfEveryTableAreNamed) {
+    auto const unknown_in = [&](std::string const& file) {
+        auto const status = overturn(folder, {"status", file, "--json", "--unverified"});
+        EXPECT_EQ(status.code, 0) << status.err;
+        return json::parse(status.out).at("unknown_columns");
+    };
+    for (std::string const name : {"results-3", "results-4", "results-5"}) {
+        unpack(folder, name, "old.h5");
+        EXPECT_EQ(unknown_in("old.h5"), json::array()) << name;
+    }
+    if (!has_python(folder, "h5py")) {
+        GTEST_SKIP() << "no h5py to write with (install python3-h5py)";
+    }
+    run(small_campaign("shared", 4) + "[[limits]]\nname='tilts'\nquantity='peak_rotation_ratio'\nabove=0.1\n", "c.h5");
+    EXPECT_EQ(unknown_in("c.h5"), json::array());
+    json added;
+    for (std::string const group :
+         {"bodies/type-a", "criterion/type-a", "criterion_by_level/type-a/v_wes", "fragility/type-a",
+          "limits/tilts/stripes/type-a", "new_table/type-a", "quantiles/type-a/peak_slip", "stripes/type-a", "trials",
+          "waves", "waves/type-a"}) {
+        added.push_back(group + "/mine");
+        auto const there = group.starts_with("new") ? "not in" : "in";
+        edit(fmt::format("assert '{0}' {1} f; f.create_dataset('{0}/mine', data=[1.0])", group, there));
+    }
+    EXPECT_EQ(unknown_in("c.h5"), added);
+    auto const fit = overturn(folder, {"fit", "c.h5", "--json", "--unverified"});
+    EXPECT_EQ(json::parse(fit.out).at("unknown_columns"), added) << fit.err;
 }
 
 // R-1003: what a file does not have is unknown; only what distinguishes trials and how they ended has to be there.
