@@ -216,9 +216,11 @@ std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, Ground
         char const* then;
     };
     auto const on_bed = mask_of(Effect::contact) | mask_of(Effect::spatial);
+    bool const points_grip = (effects.wanted() & on_bed) != 0;
     std::array const all{
-        Stated{mask_of(Effect::sliding), "sliding", body.friction.has_value(), "it is stated",
-               "its friction does not act"},
+        Stated{mask_of(Effect::sliding), "sliding", body.friction.has_value(), "its friction is stated",
+               points_grip ? "it does not slip, its points grip without limit: what its slip says is their spring"
+                           : "it does not slip"},
         Stated{on_bed, "contact", body.footing.stated, "its base or pad is stated", "it turns about two rigid corners"},
         Stated{mask_of(Effect::spatial), "spatial", body.axes > 1 && !motion.transverse_mps2.empty(),
                "the wave has a second component", "it moves in one plane"},

@@ -67,8 +67,10 @@ TEST(StatedEffects, FrictionThatTheyIgnoreIsReported) {
     auto const warnings = [](std::string const& body_keys, std::string const& effects) {
         return warnings_of(campaign_from(campaign_with(body_keys, effects)));
     };
-    char const* const stuck = "its friction does not act";
-    EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\ninclude=['contact']\n"), stuck));
+    char const* const stuck = "type-b: it does not slip";
+    EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\ninclude=['contact']\n"),
+                     "type-b: it does not slip, its points grip without limit: what its slip says is their spring (its "
+                     "friction is stated, but effects (contact) leave sliding out). Add sliding if it should count"));
     EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\ninclude=['vertical']\n"), stuck));
     EXPECT_FALSE(told(warnings("friction=0.5\n", "[effects]\ninclude=['contact', 'sliding']\n"), stuck));
     EXPECT_FALSE(told(warnings("friction=0.5\n", ""), stuck));

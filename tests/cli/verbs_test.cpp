@@ -105,6 +105,23 @@ TEST_F(Verbs, RockJson) {
     EXPECT_TRUE(folder.read("h.csv").starts_with("time_s,"));
 }
 
+// Effects that leave sliding out say so of a body with friction, and no friction then limits what holds it: 0.1 would
+// let it slip for metres under 0.5 g. What is left is the spring of its points.
+TEST_F(Verbs, RockSaysWhetherABodyWithFrictionSlips) {
+    folder.write("sine.csv", sine_csv());
+    folder.write("slippery.toml", folder.read("body.toml") + "friction=0.1\n");
+    auto const slip_under = [&](std::string const& effects, bool told) {
+        auto const ended = done(
+            {"rock", "--body", "slippery.toml", "--wave", "sine.csv", "--unit", "g", "--effects", effects, "--json"});
+        EXPECT_EQ(ended.err.find("it does not slip") != std::string::npos, told) << effects << ended.err;
+        return json::parse(ended.out).at("peak_slip_m").get<double>();
+    };
+    EXPECT_GT(slip_under("auto", false), 0.1);
+    EXPECT_GT(slip_under("sliding,contact", false), 0.1);
+    EXPECT_LT(slip_under("contact", true), 0.01);
+    EXPECT_EQ(slip_under("none", true), 0);
+}
+
 TEST_F(Verbs, SpectrumJson) {
     folder.write("sine.csv", sine_csv());
     auto const spectrum =
