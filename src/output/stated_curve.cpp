@@ -1,9 +1,13 @@
 #include "output/stated_curve.hpp"
 
+#include <optional>
+#include <span>
+
 #include <fmt/format.h>
 
 #include "campaign/intensity_measure.hpp"
 #include "output/curve_spread.hpp"
+#include "output/table.hpp"
 
 namespace overturn::output {
 
@@ -37,19 +41,24 @@ std::string text_of(StatedCurve const& curve) {
 }
 
 Json json_of(StatedCurve const& curve) {
-    auto const& unit = curve.unit;
-    Json json{{"units", unit.symbol},
-              {"median", unit.of(curve.median)},
-              {"beta", curve.beta},
-              {"beta_u", nullptr},
-              {"five_percent_point", unit.of(curve.five_percent_point())},
-              {"one_percent_point", unit.of(curve.one_percent_point())},
-              {"hclpf", nullptr},
-              {"warnings", warnings_of(curve)}};
-    if (auto const hclpf = curve.hclpf()) {
-        json["beta_u"] = curve.beta_u;
-        json["hclpf"] = unit.of(*hclpf);
-    }
+    using Row = StatedCurve;
+    auto const unit = stated_unit(curve.unit.symbol);
+    TableOf<Row> table({.name = "stated_curve", .constants = {{"units", curve.unit.symbol}}}, std::span(&curve, 1));
+    table.add("median", unit, "intensity of P = 0.5, as stated", [](Row const& c) { return c.unit.of(c.median); })
+        .add("beta", "1", "lognormal standard deviation: of waves alone with beta_u, else of all",
+             [](Row const& c) { return c.beta; })
+        .add("beta_u", "1", "epistemic uncertainty beta_U; null: not stated",
+             [](Row const& c) { return c.hclpf() ? std::optional(c.beta_u) : std::nullopt; })
+        .add("five_percent_point", unit, "median exp(-1.645 beta)",
+             [](Row const& c) { return c.unit.of(c.five_percent_point()); })
+        .add("one_percent_point", unit, "median exp(-2.326 sqrt(beta^2 + beta_u^2))",
+             [](Row const& c) { return c.unit.of(c.one_percent_point()); })
+        .add("hclpf", unit, "median exp(-1.645 (beta + beta_u)); null: beta_u is not stated", [](Row const& c) {
+            auto const hclpf = c.hclpf();
+            return hclpf ? std::optional(c.unit.of(*hclpf)) : std::nullopt;
+        });
+    auto json = json_of(table.take()).front();
+    json["warnings"] = warnings_of(curve);
     return json;
 }
 

@@ -8,12 +8,46 @@
 #include <fmt/ranges.h>
 
 #include "core/wrapped.hpp"
+#include "output/json.hpp"
 #include "output/record_page.hpp"
+#include "output/table.hpp"
 
 namespace overturn::qualify {
 namespace {
 
 char const* word(Check const& check) { return check.agrees() ? "PASS" : check.passed() ? "DIFF" : "FAIL"; }
+
+output::Table check_table(Qualification const& shown) {
+    output::TableOf<Check> table({.name = "checks"}, shown.checks);
+    table.add("number", "1", "number of the check, never given to another", [](Check const& c) { return c.number; })
+        .add("passed", "1", "true: it agrees, or differs for the reason given",
+             [](Check const& c) { return c.passed(); })
+        .add("agrees", "1", "true: the error is within the tolerance", [](Check const& c) { return c.agrees(); })
+        .add("shows", "1", "statement that holds if it passes", [](Check const& c) { return c.shows; })
+        .add("source", "1", "whence the expected value: author and year, or the law",
+             [](Check const& c) { return c.source; })
+        .category("basis", "what the expected value rests on",
+                  {name_of(Basis::printed), name_of(Basis::solved_again), name_of(Basis::law)},
+                  [](Check const& c) { return std::string(name_of(c.basis)); })
+        .add("unit", "1", "of found, expected and tolerance; 1: pure numbers", [](Check const& c) { return c.unit; })
+        .add("found", output::stated_unit("1"), "value found here; null: nothing finite",
+             [](Check const& c) { return c.found; })
+        .add("expected", output::stated_unit("1"), "known value", [](Check const& c) { return c.expected; })
+        .add("tolerance", output::stated_unit("1"), "largest difference that passes",
+             [](Check const& c) { return c.tolerance; })
+        .add("remark", "1", "further facts", [](Check const& c) { return c.remark; })
+        .add("differs_because", "1", "why a published number is not met; empty: it is",
+             [](Check const& c) { return c.agrees() ? std::string() : c.differs_because; });
+    return table.take();
+}
+
+output::Table left_out_table(Qualification const& shown) {
+    output::TableOf<LeftOut> table({.name = "left_out"}, shown.left_out);
+    table.add("result", "1", "published result that is not among the checks", [](LeftOut const& l) { return l.result; })
+        .add("source", "1", "author and year", [](LeftOut const& l) { return l.source; })
+        .add("reason", "1", "why it is left out", [](LeftOut const& l) { return l.reason; });
+    return table.take();
+}
 
 // Counts need no tolerance.
 bool is_count(Check const& check) { return check.tolerance == 0 && check.expected == 0; }
@@ -113,26 +147,6 @@ std::string text_of(Qualification const& shown) {
 }
 
 nlohmann::ordered_json json_of(Qualification const& shown) {
-    using Json = nlohmann::ordered_json;
-    auto checks = Json::array();
-    for (auto const& check : shown.checks) {
-        checks.push_back({{"number", check.number},
-                          {"passed", check.passed()},
-                          {"agrees", check.agrees()},
-                          {"shows", check.shows},
-                          {"source", check.source},
-                          {"basis", name_of(check.basis)},
-                          {"unit", check.unit},
-                          {"found", std::isfinite(check.found) ? Json(check.found) : Json(nullptr)},
-                          {"expected", check.expected},
-                          {"tolerance", check.tolerance},
-                          {"remark", check.remark},
-                          {"differs_because", check.agrees() ? "" : check.differs_because}});
-    }
-    auto left_out = Json::array();
-    for (auto const& left : shown.left_out) {
-        left_out.push_back({{"result", left.result}, {"source", left.source}, {"reason", left.reason}});
-    }
     return {{"passed", shown.passed()},
             {"summary", verdict(shown)},
             {"program", shown.program},
@@ -144,8 +158,8 @@ nlohmann::ordered_json json_of(Qualification const& shown) {
             {"folder", shown.folder},
             {"date", shown.date},
             {"published", shown.published},
-            {"checks", std::move(checks)},
-            {"left_out", std::move(left_out)}};
+            {"checks", output::json_of(check_table(shown))},
+            {"left_out", output::json_of(left_out_table(shown))}};
 }
 
 std::string page_of(Qualification const& shown) {
