@@ -20,10 +20,8 @@
 #include "cli/outcome_report.hpp"
 #include "cli/plan_bodies.hpp"
 #include "cli/rare_waves_json.hpp"
-#include "cli/report_bodies.hpp"
 #include "cli/report_checks.hpp"
 #include "cli/report_cost.hpp"
-#include "cli/report_facts.hpp"
 #include "cli/shown_trials.hpp"
 #include "cli/spectra_of_waves.hpp"
 #include "cli/velocity_unit.hpp"
@@ -33,6 +31,7 @@
 #include "output/campaign_tables.hpp"
 #include "output/fit_json.hpp"
 #include "output/package_text.hpp"
+#include "output/page_facts.hpp"
 #include "output/page_text.hpp"
 #include "output/records_table.hpp"
 #include "output/summary_tables.hpp"
@@ -201,8 +200,8 @@ Json begun(ReportOptions const& options, CampaignSpec const& spec) {
     Json data;
     data["file"] = hexadecimal(fs::absolute(options.file).string());
     data["figures"] = options.figures.empty() ? "" : hexadecimal(fs::absolute(options.figures).string());
-    data["parts"] = outlines_of(spec);
-    data["placements"] = placements_of(spec);
+    data["parts"] = output::outlines_of(spec);
+    data["placements"] = output::placements_of(spec);
     data["supports"] = supports_of(spec);
     data["units"] = units_json(spec, options.unit);
     return data;
@@ -248,8 +247,8 @@ int write_report(ReportOptions const& options) {
     add_hand_checks(spec, statistics, analysis, data);
     add_rare(file, spec, data);
     data["changed"] = changed ? output::changed_file_text() : "";
-    data["facts"] = facts_of(spec, plan, statistics);
-    data["method"] = method_of(spec);
+    data["facts"] = output::facts_of(spec, plan, statistics);
+    data["method"] = output::method_of(spec);
     add_stated_facts(options, spec, confidence, data);
     add_cover(options, spec, data);
     auto const frequencies = add_frequencies(options.hazard, input, spec, statistics, analysis, confidence, data);
