@@ -12,11 +12,8 @@
 #include "core/wrapped.hpp"
 #include "motion/column_unit.hpp"
 #include "output/curve_spread.hpp"
-#include "output/frequency_text.hpp"
 #include "output/json.hpp"
 #include "output/stated_curve.hpp"
-#include "output/summary_tables.hpp"
-#include "results/hazard_frequency.hpp"
 
 namespace overturn::cli {
 namespace {
@@ -51,33 +48,26 @@ int fit_stated(FitOptions const& options) {
     auto const median = read_median(options.median);
     output::StatedCurve const curve{median.value, median.unit, median.dimension, *options.beta,
                                     options.beta_u.value_or(0)};
-    std::optional<HazardCurve> hazard;
-    std::vector<BodyFrequency> frequencies;
+    TableFrequency frequency;
     constexpr double none = 1;     // no sample, no confidence: bounds
     constexpr double ends = 3.09;  // from a P of 0.1 % to one of 99.9 %
     if (!options.hazard.empty()) {
         InputFiles files(std::filesystem::path("."));
-        hazard = parse_hazard(files.read(options.hazard), options.hazard,
-                              {.label = "",
-                               .dimension = curve.dimension,
-                               .unit = curve.unit,
-                               .lowest = curve.at(ends * curve.composite()),
-                               .highest = curve.at(-ends * curve.composite())});
-        frequencies.push_back(frequency_of_stated(curve.median, curve.beta, curve.beta_u, *hazard));
-        frequencies.back().body = "stated curve";
-        frequencies.back().limit = overturning_limit;
+        auto hazard = parse_hazard(files.read(options.hazard), options.hazard,
+                                   {.label = "",
+                                    .dimension = curve.dimension,
+                                    .unit = curve.unit,
+                                    .lowest = curve.at(ends * curve.composite()),
+                                    .highest = curve.at(-ends * curve.composite())});
+        auto found = frequency_of_stated(curve.median, curve.beta, curve.beta_u, hazard);
+        frequency = {std::move(hazard), std::move(found), "stated curve"};
     }
     if (!options.json) {
-        fmt::print("{}{}", narrowed(output::text_of(curve)),
-                   hazard ? output::frequency_text(frequencies, *hazard, none) : std::string());
+        fmt::print("{}{}", narrowed(output::text_of(curve)), frequency.text(none));
         return done;
     }
     auto json = output::Json{{"stated_curve", output::json_of(curve)}};
-    if (hazard) {
-        auto const si = std::string(si_symbol(curve.dimension));
-        json.update(output::json_of(output::frequency_tables(si, frequencies, *hazard, none)));
-        json["hazard_notes"] = hazard->remarks();
-    }
+    frequency.add_to(json, std::string(si_symbol(curve.dimension)), none);
     fmt::print("{}\n", json.dump(2));
     return done;
 }

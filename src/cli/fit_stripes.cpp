@@ -1,28 +1,19 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <iterator>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
-#include "cli/command_line.hpp"
 #include "cli/fit_tables.hpp"
 #include "cli/stripe_csv.hpp"
 #include "core/error.hpp"
 #include "core/input_files.hpp"
 #include "core/units.hpp"
-#include "core/wrapped.hpp"
 #include "motion/column_unit.hpp"
-#include "output/curve_tables.hpp"
 #include "output/curve_text.hpp"
-#include "output/fit_json.hpp"
-#include "output/frequency_text.hpp"
 #include "output/stripe_tables.hpp"
 #include "output/stripe_text.hpp"
-#include "output/summary_tables.hpp"
 #include "results/analysis.hpp"
-#include "results/hazard_frequency.hpp"
 #include "stats/bootstrap.hpp"
 #include "stats/rank.hpp"
 
@@ -83,63 +74,31 @@ FragilityData data_of(StripeTable const& table, FitOptions const& options) {
 int fit_stripes(FitOptions const& options) {
     InputFiles files(std::filesystem::path("."));
     auto const table = parse_stripes(files.read(options.stripes), options.stripes);
-    auto const& stripes = table.stripes;
-    constexpr double usual = 0.95;
-    FragilityRequest request;
-    request.confidence = options.confidence.value_or(usual);
-    request.beta_u = options.beta_u.value_or(0);
-    MeasuredFragility measured;
-    measured.name = "amplitude";
-    measured.label = table.amplitude;
-    measured.units = table.unit.empty() ? "1" : table.unit;
-    measured.shown_in = {"1"};  // its column names the unit
+    auto request = request_of(options);
+    TableFit fit{.axis = {.option = "--stripes",
+                          .column = table.amplitude,
+                          .measure = table.measure,
+                          .unit = table.unit,
+                          .lowest = table.stripes.front().amplitude,
+                          .highest = table.stripes.back().amplitude},
+                 .unread = table.unread};
+    fit.measured.name = "amplitude";
     if (!options.design_basis.empty()) {
         double const basis = design_basis_of(options.design_basis, table);
-        measured.quote_base = "design-basis";
+        fit.measured.quote_base = "design-basis";
         for (double const multiple : quoted_multiples) {
             request.quotes.push_back({multiple * basis, multiple});
         }
     }
-    auto const data = data_of(table, options);
-    measured.fit = fit_fragility(data, request);
-    measured.rank_area = rank_area(data.points);
-    std::optional<HazardCurve> hazard;
-    std::vector<BodyFrequency> frequencies;
-    if (!options.hazard.empty()) {
-        hazard = hazard_of_table(options, {.option = "--stripes",
-                                           .column = table.amplitude,
-                                           .measure = table.measure,
-                                           .unit = table.unit,
-                                           .lowest = table.stripes.front().amplitude,
-                                           .highest = table.stripes.back().amplitude});
-        frequencies.push_back(frequency_of(measured.fit, data, *hazard, request.confidence, 0));
-        frequencies.back().body = table.amplitude;
-        frequencies.back().limit = overturning_limit;
-    }
-    if (!options.json) {
-        fmt::print("{}{}{}\n{}", narrowed(output::fragility_table({measured}, request.confidence)),
-                   options.text.full && !std::isnan(measured.rank_area) ? output::rank_text() : std::string(),
-                   hazard ? output::frequency_text(frequencies, *hazard, request.confidence) : std::string(),
-                   output::table_stripes_text(table.amplitude, stripes, request.confidence, options.text.full));
-        print_unread(table.unread);
-        return done;
-    }
-    std::vector<MeasuredFragility> const fits{measured};
-    auto tables = output::curve_tables({.body = "", .confidence = request.confidence}, fits);
-    tables.insert(tables.begin(), output::stripe_table(stripes, measured.units, request.confidence));
-    if (hazard) {
-        std::ranges::move(output::frequency_tables(table.unit, frequencies, *hazard, request.confidence),
-                          std::back_inserter(tables));
-    }
-    auto json = output::json_of(tables);
-    if (hazard) {
-        json["hazard_notes"] = hazard->remarks();
-    }
-    json["warnings"] = output::warnings_json("", fits, request.confidence);
-    json["amplitude"] = table.amplitude;
-    json["not_understood"] = table.unread;
-    fmt::print("{}\n", json.dump(2));
-    return done;
+    fit.data = data_of(table, options);
+    fit.measured.fit = fit_fragility(fit.data, request);
+    fit.measured.rank_area = rank_area(fit.data.points);
+    fit.remark = options.text.full && !std::isnan(fit.measured.rank_area) ? output::rank_text() : std::string();
+    fit.below =
+        "\n" + output::table_stripes_text(table.amplitude, table.stripes, request.confidence, options.text.full);
+    fit.tables = {output::stripe_table(table.stripes, unit_of(fit.axis), request.confidence)};
+    fit.json["amplitude"] = table.amplitude;
+    return print_fit(options, request, std::move(fit));
 }
 
 }  // namespace overturn::cli

@@ -8,6 +8,10 @@
 
 #include "cli/text_choice.hpp"
 #include "cli/verbs.hpp"
+#include "output/json.hpp"
+#include "output/table.hpp"
+#include "results/curves.hpp"
+#include "results/hazard_frequency.hpp"
 #include "stats/hazard.hpp"
 
 namespace overturn::cli {
@@ -43,6 +47,37 @@ struct TableAxis {
 /// states no unit, or sa without its period
 [[nodiscard]] HazardCurve hazard_of_table(FitOptions const& options, TableAxis const& axis);
 
+/// Annual frequencies of a table's or a stated curve; none without a hazard curve.
+struct TableFrequency {
+    std::optional<HazardCurve> hazard = {};
+    std::vector<BodyFrequency> of = {};
+
+    TableFrequency() = default;
+    /// \param name of the curve
+    TableFrequency(HazardCurve curve, BodyFrequency frequency, std::string name);
+    [[nodiscard]] std::string text(double confidence) const;
+    /// Adds its tables and notes. \param unit of the intensities
+    void add_to(output::Json& json, std::string const& unit, double confidence) const;
+};
+
+/// A curve fitted to a table, and what is printed beside it.
+struct TableFit {
+    TableAxis axis;
+    MeasuredFragility measured = {};  ///< name, fit and what belongs to it; the rest follows from the axis
+    FragilityData data = {};          ///< of the trials, for annual frequencies
+    std::vector<std::string> unread = {};
+    std::string above = {}, remark = {}, below = {};  ///< the curve; the remark stands below its table
+    std::vector<output::Table> tables = {};           ///< in JSON, before those of the curve
+    output::Json json = {};                           ///< further members
+};
+
+/// Confidence and beta_U of a fit to a table.
+[[nodiscard]] FragilityRequest request_of(FitOptions const& options);
+/// "g"; "1": none is stated.
+[[nodiscard]] std::string unit_of(TableAxis const& axis);
+/// Prints it, with annual frequencies where --hazard names a hazard curve. \return exit code
+[[nodiscard]] int print_fit(FitOptions const& options, FragilityRequest const& request, TableFit fit);
+
 /// "0.9 g" parted.
 struct StatedNumber {
     double value = 0;
@@ -51,9 +86,6 @@ struct StatedNumber {
 /// \param option "--median" \param what a number it must be, and an example, for the message
 /// \throws InputError unless it begins with a number above 0
 [[nodiscard]] StatedNumber stated_number(std::string_view text, std::string_view option, std::string_view what);
-
-/// A line for each of a table's that are not understood.
-void print_unread(std::vector<std::string> const& lines);
 
 /// `fit --stripes TABLE`: curve, and annual frequency where there is a hazard curve. \return exit code
 [[nodiscard]] int fit_stripes(FitOptions const& options);

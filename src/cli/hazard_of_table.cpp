@@ -39,12 +39,6 @@ StatedNumber stated_number(std::string_view text, std::string_view option, std::
     return stated;
 }
 
-void print_unread(std::vector<std::string> const& lines) {
-    for (auto const& line : lines) {
-        fmt::print("not understood, {}\n", line);
-    }
-}
-
 HazardCurve hazard_of_table(FitOptions const& options, TableAxis const& axis) {
     validate(!axis.unit.empty(),
              "--hazard beside {}: column '{}' states no unit (none is guessed). Call it for example 'pga [g]'",

@@ -166,6 +166,25 @@ Table criterion_level_table(CampaignSpec const& spec, BodyStatistics const& body
     return table.take();
 }
 
+Table capacities_table(std::span<Capacity const> capacities, std::string const& unit) {
+    using Row = std::span<Capacity const>;
+    auto const moment = [](auto which) {
+        return [which](Row const& row) {
+            auto const moments = moments_of(row);
+            return moments ? std::optional((*moments).*which) : std::nullopt;
+        };
+    };
+    TableOf<Row> table({.name = "capacities", .constants = {{"units", unit}}}, std::span(&capacities, 1));
+    table.add("count", "1", "capacities, of a wave each", [](Row const& row) { return std::ssize(row); })
+        .add("not_reached", "1", "censored ones: the body stood up to there",
+             [](Row const& row) { return std::ranges::count(row, false, &Capacity::reached); })
+        .add("moments_median", stated_unit(unit), "median by moments; null: censored, or fewer than five",
+             moment(&CapacityMoments::median))
+        .add("moments_beta", "1", "beta by moments, over n - 1; null as moments_median",
+             moment(&CapacityMoments::beta));
+    return table.take();
+}
+
 Table quantile_table(CampaignSpec const& spec, std::string const& body, std::span<LevelQuantiles const> rows,
                      double confidence) {
     using Row = LevelQuantiles;

@@ -8,6 +8,7 @@
 #include "output/table.hpp"
 #include "results/analysis.hpp"
 #include "results/statistics.hpp"
+#include "stats/capacity_fit.hpp"
 
 namespace overturn::output {
 
@@ -16,6 +17,8 @@ namespace overturn::output {
                                  double confidence, bool sample);
 /// `stripes` of a table without a campaign. \param unit of its amplitudes, as it states them; "1": none
 [[nodiscard]] Table stripe_table(std::span<Stripe const> stripes, std::string const& unit, double confidence);
+/// `capacities`: one row on a table of capacities. \param unit of them; empty: none
+[[nodiscard]] Table capacities_table(std::span<Capacity const> capacities, std::string const& unit);
 /// `models`: trials per model that answered them.
 [[nodiscard]] Table model_table(BodyStatistics const& body);
 /// `criterion_by_level`: how a criterion did against time histories. \param measure "v_wes" or "ou_v_e"

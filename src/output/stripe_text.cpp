@@ -172,6 +172,20 @@ std::string table_stripes_text(std::string const& amplitude, std::span<Stripe co
     return columns_text({columns});
 }
 
+std::string capacities_text(std::span<Capacity const> capacities, IntensityUnit const& unit) {
+    auto text =
+        fmt::format("{} {}, {} to {}; {} not reached\n", capacities.size(),
+                    capacities.size() == 1 ? "capacity" : "capacities", unit.text(capacities.front().intensity),
+                    unit.text(capacities.back().intensity), std::ranges::count(capacities, false, &Capacity::reached));
+    if (auto const moments = moments_of(capacities)) {
+        text +=
+            moments->beta == 0
+                ? fmt::format("  moments: all capacities equal {}: no spread\n", unit.text(moments->median))
+                : fmt::format("  moments: median {}, beta {:.4g} (n - 1)\n", unit.text(moments->median), moments->beta);
+    }
+    return text;
+}
+
 // What a longer record would have made of them nobody knows.
 std::string cut_short_text(BodyStatistics const& counted) {
     auto const sum = [](std::vector<std::int64_t> const& levels) {

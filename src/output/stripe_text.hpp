@@ -8,6 +8,7 @@
 #include "campaign/campaign_spec.hpp"
 #include "campaign/trial.hpp"
 #include "results/statistics.hpp"
+#include "stats/capacity_fit.hpp"
 #include "stats/intensity_unit.hpp"
 
 namespace overturn::output {
@@ -20,6 +21,9 @@ namespace overturn::output {
 /// Stripes of a table without a campaign. \param amplitude heading of its column \param full all of them
 [[nodiscard]] std::string table_stripes_text(std::string const& amplitude, std::span<Stripe const> stripes,
                                              double confidence, bool full);
+
+/// "12 capacities, 0.3 g to 1.2 g; 2 not reached", and their moments. \param unit of them, with a value of 1
+[[nodiscard]] std::string capacities_text(std::span<Capacity const> capacities, IntensityUnit const& unit);
 
 /// "12 trials still rocked when the record ended (3 fell and ...)"; empty where none did.
 [[nodiscard]] std::string cut_short_text(BodyStatistics const& counted);
