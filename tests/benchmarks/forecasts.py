@@ -10,14 +10,14 @@ row says how many. With more repetitions each figure is a median."""
 
 import argparse
 import json
-import os
 import pathlib
-import re
 import resource
 import statistics
 import subprocess
 import tempfile
 import time
+
+import campaigns
 
 
 def seconds_of(command, folder):
@@ -30,14 +30,10 @@ def seconds_of(command, folder):
     return wall, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, done.stdout
 
 
-def one_rank(plan):
-    return next(ranks for ranks in plan["ranks"] if ranks["ranks"] == 1)
-
-
 def fewer_waves(campaign, plan, seconds):
     """Settings under which the plan is of so many seconds; none where it is of fewer."""
-    one = one_rank(plan)
-    if one["wall_s"] <= seconds or not re.search(r"^count\b", campaign.read_text(), re.MULTILINE):
+    one = campaigns.one_rank(plan)
+    if one["wall_s"] <= seconds or not campaigns.counts_waves(campaign):
         return []
     return ["--set", f"waves.count={max(2, int(plan['waves'] * seconds / one['wall_s']))}"]
 
@@ -52,22 +48,16 @@ def compared(program, campaign, seconds):
         plan = planned(settings) if settings else plan
         wall, cpu, _ = seconds_of([program, "run", campaign, "-o", "r.h5", *settings], folder)
         told = json.loads((pathlib.Path(folder) / "r.runtime.json").read_text())["wall_s"]
-    return plan["waves"], bool(settings), one_rank(plan), wall, told, cpu
+    return plan["waves"], bool(settings), campaigns.one_rank(plan), wall, told, cpu
 
 
 def main():
-    os.environ.update({"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"})
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("program", metavar="PROGRAM", type=lambda text: pathlib.Path(text).resolve())
-    parser.add_argument("--campaigns", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2] / "campaigns")
-    parser.add_argument("--seconds", type=float, default=300)
-    parser.add_argument("--repetitions", type=int, default=1)
-    parser.add_argument("--only", default="")
+    parser.add_argument("program", metavar="PROGRAM", type=campaigns.program)
+    campaigns.add_options(parser, seconds=300, repetitions=1)
     options = parser.parse_args()
     print("| campaign | waves | plan | run | run / plan | wall_s | CPU time |\n|---|---|---|---|---|---|---|", flush=True)
-    for campaign in sorted(options.campaigns.resolve().glob("*.toml")):
-        if options.only not in campaign.stem:
-            continue
+    for campaign in campaigns.chosen(options):
         try:
             rows = [compared(options.program, campaign, options.seconds) for _ in range(options.repetitions)]
         except RuntimeError as error:

@@ -19,7 +19,9 @@ import subprocess
 import tempfile
 import time
 
-MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_hwloc_base_binding_policy": "none"}
+import campaigns
+
+MPI = {"OMPI_MCA_hwloc_base_binding_policy": "none"}
 FEW = 2
 
 
@@ -45,27 +47,21 @@ def cpu_seconds_of(command, folder):
 
 def waves_for(program, campaign, seconds):
     """As many waves as one rank computes in so many seconds; none where the campaign's waves are not counted."""
-    if not re.search(r"^count\b", campaign.read_text(), re.MULTILINE):
+    if not campaigns.counts_waves(campaign):
         return None
     plan = json.loads(seconds_of([program, "plan", campaign, "--json"], None)[1])
-    one = next(ranks for ranks in plan["ranks"] if ranks["ranks"] == 1)
-    return max(8, 2 * round(seconds * plan["waves"] / one["work_s"] / 2))
+    return max(8, 2 * round(seconds * plan["waves"] / campaigns.one_rank(plan)["work_s"] / 2))
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
-    parser.add_argument("programs", metavar="PROGRAM", nargs="+", type=lambda text: pathlib.Path(text).resolve())
+    parser.add_argument("programs", metavar="PROGRAM", nargs="+", type=campaigns.program)
     parser.add_argument("--mpirun", default="mpirun")
-    parser.add_argument("--campaigns", type=pathlib.Path, default=pathlib.Path(__file__).resolve().parents[2] / "campaigns")
-    parser.add_argument("--seconds", type=float, default=8)
-    parser.add_argument("--repetitions", type=int, default=3)
-    parser.add_argument("--only", default="")
+    campaigns.add_options(parser, seconds=8, repetitions=3)
     parser.add_argument("--cpu", action="store_true")
     options = parser.parse_args()
     print("| campaign | waves | one rank | two ranks | times faster | its work alone |\n|---|---|---|---|---|---|", flush=True)
-    for campaign in sorted(options.campaigns.resolve().glob("*.toml")):
-        if options.only not in campaign.stem:
-            continue
+    for campaign in campaigns.chosen(options):
         waves = waves_for(options.programs[0], campaign, options.seconds)
         if waves is None:
             continue

@@ -41,7 +41,6 @@ class EarlierRows {
     [[nodiscard]] std::optional<std::int64_t> find(std::int64_t wave_id) const;
     /// Rows of consecutive waves, as the earlier campaign numbers bodies and levels.
     /// \throws SystemError if they cannot be read
-    /// \throws SystemError if they cannot be read
     [[nodiscard]] virtual BlockRows rows(std::int64_t first, std::int64_t count) const = 0;
 
   protected:
