@@ -39,13 +39,13 @@ with h5py.File('c.h5') as f:
             same(name, value, group[name][last])
     for key, value in rock.items():
         hold(key, value)
-    for name, value in rock['matched'].items():  # null where nothing was tuned
+    for name, value in rock['matching'].items():  # null where nothing was tuned
         same('matched ' + name, value, own[name][last] if own else float('nan'))
     names = h5py.check_enum_dtype(trials['verdict'].dtype)
     assert names[rock['verdict']] == trials['verdict'][last], rock['verdict']
     measured = {'v_wes': f['waves/body/v_wes'][last], 'ou_v_e': f['waves/body/ou_v_e'][last], 'pga': f['waves/pga'][last]}  # at factor 1
     for name, value in measured.items():
-        found = [spectrum[key] for key in (name, name + '_mps', name + '_max_mps') if key in spectrum]
+        found = [spectrum[key] for key in (name, name + '_mps', name + '_mps2') if key in spectrum]
         assert len(found) == 1, (name, list(spectrum))
         same(name, found[0], value)
 print(len(compared))

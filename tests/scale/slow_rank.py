@@ -22,7 +22,7 @@ import tempfile
 import threading
 import time
 
-from kills import BODY, CAMPAIGN, FEW, MPI
+from kills import BODY, CAMPAIGN, MPI, SMALL
 
 PERIOD_S = 0.1  # of one stop and one turn
 
@@ -115,7 +115,7 @@ def main():
     walls, digests, failed = {False: [], True: []}, set(), False
     with tempfile.TemporaryDirectory() as folder:
         campaign = pathlib.Path(folder, "campaign.toml")
-        campaign.write_text(CAMPAIGN.format(waves=arguments.waves, body=BODY, levels=FEW), encoding="utf-8")
+        campaign.write_text(CAMPAIGN.format(**SMALL | {"waves": arguments.waves, "body": BODY}), encoding="utf-8")
         for pair in range(arguments.pairs):
             for slowed in (False, True):
                 wall, used, digest = run(arguments.program, campaign, pathlib.Path(folder, f"{pair}{'slow' if slowed else 'equal'}.h5"),
