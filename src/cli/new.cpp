@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -54,10 +55,23 @@ void check_place(NewOptions const& options) {
     store::require_writable(path);
 }
 
+// The place of the question that an empty answer leads back to: of records that about the spectrum, as waves come from
+// one of the two. Empty: there is none.
+std::optional<std::size_t> way_back(StudyQuestion const& question) {
+    auto const questions = study_questions();
+    auto const spectrum = std::ranges::find(questions, &StudyAnswers::spectrum, &StudyQuestion::answer);
+    return question.answer == &StudyAnswers::records ? std::optional<std::size_t>(spectrum - questions.begin())
+                                                     : std::nullopt;
+}
+
 // An answer, asked until it is one or there are no more; empty: none was given.
 std::optional<std::string> ask(StudyQuestion const& question) {
+    bool const may_be_empty = !question.must || way_back(question);
     while (true) {
-        print_note("{} ({}){}: ", question.words, question.example, question.must ? "" : ", or Enter");
+        print_note("{} ({}){}: ", question.words, question.example,
+                   !question.must ? ", or Enter"
+                   : may_be_empty ? ", or Enter to state a target spectrum"
+                                  : "");
         std::string line;
         if (!std::getline(std::cin, line)) {
             return std::nullopt;
@@ -67,7 +81,7 @@ std::optional<std::string> ask(StudyQuestion const& question) {
             answer = answer.substr(1, answer.size() - 2);  // as the example has it
         }
         if (answer.empty()) {
-            if (!question.must) {
+            if (may_be_empty) {
                 return std::nullopt;
             }
             print_note("  a value is required: none can be assumed\n");
@@ -83,11 +97,16 @@ std::optional<std::string> ask(StudyQuestion const& question) {
 }
 
 void ask_what_is_missing(StudyAnswers& answers) {
-    for (auto const& question : study_questions()) {
+    auto const questions = study_questions();
+    for (std::size_t place = 0; place < questions.size();) {
+        auto const& question = questions[place];
         auto& answer = answers.*question.answer;
-        if (!answer && question.applies(answers) && std::cin) {
+        bool const asked = !answer && question.applies(answers) && std::cin;
+        if (asked) {
             answer = ask(question);
         }
+        auto const back = asked && !answer && std::cin ? way_back(question) : std::nullopt;
+        place = back.value_or(place + 1);
     }
 }
 
@@ -199,6 +218,13 @@ StudyAnswers located(StudyAnswers answers, fs::path const& folder) {
     return answers;
 }
 
+// Where the refusal of a record asks for its unit by the campaign's key: by the option that states it.
+std::string by_option(std::string text, StudyAnswers const& answers) {
+    constexpr std::string_view key = "State unit = ";
+    auto const at = answers.records ? text.find(key) : std::string::npos;
+    return at == std::string::npos ? text : text.replace(at, key.size(), "State --record-unit ");
+}
+
 int write_study(NewOptions const& options) {
     auto answers = options.answers;
     check_place(options);
@@ -217,8 +243,8 @@ int write_study(NewOptions const& options) {
     try {
         load_files(input, folder.empty() ? fs::path(".") : folder);
     } catch (InputError const& error) {
-        throw InputError(
-            fmt::format("new: nothing was written, because overturn plan refuses the campaign: {}", error.what()));
+        throw InputError(fmt::format("new: nothing was written, because overturn plan refuses the campaign: {}",
+                                     by_option(error.what(), answers)));
     }
     auto const spec = parse_campaign(input);
     (void)stated_hazard(input, spec.levels);

@@ -298,6 +298,11 @@ TEST_F(New, RefusesWhatCannotBe) {
                    "State it over pgv");
 }
 
+// A record without its unit is refused by the option that states it, not by a key of a file that was not written.
+TEST_F(New, AsksForTheUnitOfRecordsByItsOption) {
+    expect_refused(joined(cask, {"--records", "record.csv", "--design-basis", "0.3 g"}), "State --record-unit \"gal\"");
+}
+
 // Without a terminal nothing is asked.
 TEST_F(New, ListsAllThatIsMissing) {
     expect_refused(
@@ -346,6 +351,13 @@ TEST_F(New, AsksAtATerminal) {
     auto const as_asked =
         std::regex_replace(folder.read("stated.toml"), std::regex("stated\\.(toml|h5|html)"), "asked.$1");
     EXPECT_EQ(folder.read("asked.toml"), as_asked);
+
+    // Neither a spectrum nor records: the question about the spectrum comes again.
+    folder.write("back", "117 t\n2.6 m\n3.4 m\nround\n\n\n\n0.8 m\n\n\n\n\n\nmlit-ch1\n1\n\n\n0.6 g\n\n\n");
+    auto const led_back = shell("back", "back.toml");
+    ASSERT_EQ(led_back.code, 0) << led_back.out << led_back.err;
+    EXPECT_NE(led_back.out.find("or Enter to state a target spectrum"), std::string::npos) << led_back.out;
+    EXPECT_NE(folder.read("back.toml").find("spectrum = \"mlit-ch1\""), std::string::npos);
 
     folder.write("few", "117 t\n");
     auto const broken_off = shell("few", "few.toml");
