@@ -10,26 +10,27 @@
 namespace overturn {
 namespace {
 
-// What is chosen and not known: how waves are counted and fitted, which levels are looked at, what things are called.
+// How much is computed, how finely, what things are called, and the motions that are read, which are listed on their
+// own.
 bool is_choice(std::string_view key) {
-    static constexpr std::array whole{"waves.source",     "waves.count",         "waves.time_step", "waves.match",
-                                      "waves.acceptance", "waves.seed",          "waves.folder",    "waves.files",
-                                      "waves.format",     "waves.unit",          "waves.component", "waves.components",
-                                      "waves.resample",   "levels.measure",      "levels.period",   "levels.waves",
-                                      "levels.values",    "levels.beyond_design"};
-    static constexpr std::array within{"waves.match_", "waves.records", "waves.target.longest", "levels.values."};
+    static constexpr std::array whole{"waves.count",    "waves.time_step", "waves.match",  "waves.seed",
+                                      "waves.folder",   "waves.files",     "waves.format", "waves.resample",
+                                      "levels.measure", "levels.period",   "levels.waves"};
+    static constexpr std::array within{"waves.match_", "waves.records", "waves.target.longest"};
     static constexpr std::array last{"name", "file", "kind", "distribution", "points", "match_restitution"};
     auto const dot = key.rfind('.');
     auto const leaf = dot == std::string_view::npos ? key : key.substr(dot + 1);
-    bool const of_body = key.starts_with("bodies");
+    bool const of_list = key.starts_with("bodies") || key.starts_with("limits");
     return std::ranges::find(whole, key) != whole.end()
            || std::ranges::any_of(within, [&](char const* begin) { return key.starts_with(begin); })
-           || (of_body && std::ranges::find(last, leaf) != last.end());
+           || (of_list && std::ranges::find(last, leaf) != last.end());
 }
 
 bool is_physical(std::string_view key) {
-    return key == beta_u_key
-           || ((key.starts_with("waves.") || key.starts_with("bodies") || key.starts_with("levels."))
+    static constexpr std::array whole{"site", "hazard"};  // the first stated as one assumption: nothing stands near
+    static constexpr std::array within{"waves.", "bodies", "levels.", "site.", "limits"};
+    return key == beta_u_key || std::ranges::find(whole, key) != whole.end()
+           || (std::ranges::any_of(within, [&](char const* begin) { return key.starts_with(begin); })
                && !is_choice(key));
 }
 
@@ -83,7 +84,7 @@ InputTally tally_of(std::span<config::InputValue const> inputs) {
 
 bool is_beta_u_assumed(CampaignSpec const& spec) {
     return std::ranges::any_of(spec.inputs, [](config::InputValue const& value) {
-        return value.key == beta_u_key && value.basis == config::Basis::assumed;
+        return value.key == beta_u_key && value.number && value.basis == config::Basis::assumed;
     });
 }
 

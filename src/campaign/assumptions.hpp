@@ -15,9 +15,10 @@ namespace overturn {
 
 inline constexpr std::string_view beta_u_key = "statistics.beta_u";
 
-/// The inputs of [waves], [[bodies]] and [levels], and beta_U, that stand for something: no names, no files, no choices
-/// of how much is computed, no key of a body's file that one beside the file outranks, none that no model reads which
-/// the campaign may run.
+/// The inputs that move the answer: those of [waves], [[bodies]], [levels], [site] and [[limits]], beta_U and the
+/// hazard curve. Stated values, defaults of this program, and keys of which the campaign says that their absence is
+/// assumed. Not among them: names, the motions that are read (the pages list them), how much is computed and how
+/// finely, a key of a body's file that one beside the file outranks, and what no model reads that the campaign may run.
 [[nodiscard]] std::vector<config::InputValue> physical_inputs(CampaignSpec const& spec);
 
 /// Number of inputs by their basis.

@@ -50,20 +50,24 @@ class StudyText {
     void line(std::string const& text) { text_ += text + '\n'; }
     void begin(std::string const& table) { text_ += fmt::format("\n{}\n", table); }
     void state(char const* key, std::string const& value) { text_ += fmt::format("{} = {}\n", key, value); }
-    /// How much is run, which plan does not count among what is assumed of the world.
+    /// How much is run, which is no assumption about the world.
     void choose(char const* key, std::string const& value, std::string const& what) {
-        text_ += fmt::format("# assumed: {}\n{} = {}\n", what, key, value);
+        text_ += fmt::format("# chosen: {}\n{} = {}\n", what, key, value);
     }
     /// \param what "120 s, because ...": the text behind "because" is stated as the source
     void assume(char const* key, std::string const& value, std::string const& what) {
-        choose(key, value, what);
-        constexpr std::string_view because = ", because ";
-        auto const reason = what.substr(what.find(because) + because.size());
-        assumed_ += fmt::format("{}{} = {}", assumed_.empty() ? "" : ", ", key, quoted("assumed: " + reason));
+        text_ += fmt::format("# assumed: {}\n{} = {}\n", what, key, value);
+        note_basis(key, what);
     }
-    /// A key that is not there. \param example how it would be stated
-    void leave_out(std::string const& example, std::string const& what) {
-        text_ += fmt::format("# assumed: {}\n# {}\n", what, example);
+    /// A key that is not there, which is an assumption as well. \param example how its value would be stated
+    void leave_out(char const* key, std::string const& example, std::string const& what) {
+        text_ += fmt::format("# assumed: {}\n# {} = {}\n", what, key, example);
+        note_basis(key, what);
+    }
+    /// A table that is not there. \param example of a key in it
+    void leave_out_table(char const* table, std::string const& example, std::string const& what) {
+        text_ += fmt::format("# assumed: {}\n# [{}]\n# {}\n", what, table, example);
+        note_basis(table, what);
     }
     /// An answer as it was typed, or what is assumed without one.
     void state_or_assume(char const* key, std::optional<std::string> const& answer, std::string const& otherwise,
@@ -80,6 +84,12 @@ class StudyText {
     [[nodiscard]] std::string const& text() const { return text_; }
 
   private:
+    void note_basis(char const* key, std::string const& what) {
+        constexpr std::string_view because = ", because ";
+        auto const reason = what.substr(what.find(because) + because.size());
+        assumed_ += fmt::format("{}{} = {}", assumed_.empty() ? "" : ", ", key, quoted("assumed: " + reason));
+    }
+
     std::string text_, assumed_;
 };
 
@@ -97,7 +107,9 @@ void write_head(StudyText& out, std::string const& name, StudyAnswers const& a) 
         }
     }
     out.line("# Written by: " + command);
-    out.line("# Values that were not given are marked \"assumed\". Replace them where you know better.");
+    out.line(
+        "# Values that were not given are marked \"assumed\". Where you replace one, remove it from `basis` below "
+        "too.");
     out.line(fmt::format("# Check it: overturn plan {}", as_argument(name)));
     out.line(fmt::format("# Run it: overturn run {}", as_argument(name)));
     out.line(fmt::format("# Read it: overturn fit {}; overturn report {} -o {}", as_argument(results),
@@ -106,7 +118,12 @@ void write_head(StudyText& out, std::string const& name, StudyAnswers const& a) 
     out.state("title", quoted(fmt::format("Cask of {}, design basis {}", *a.mass, *a.design_basis)));
     out.state("seed", "1");
     a.hazard ? out.state("hazard", quoted(*a.hazard))
-             : out.leave_out("hazard = \"curve.csv\"", "no annual frequencies, because no hazard curve was given");
+             : out.leave_out("hazard", "\"curve.csv\"", "no annual frequencies, because no hazard curve was given");
+    if (!a.has_site()) {
+        out.leave_out_table("site", "cask = \"0.8 m\"",
+                            "no obstacle near the cask, because --gap, --wall and --edge were not given");
+    }
+    out.end();
 }
 
 void write_target(StudyText& out, StudyAnswers const& a) {
@@ -131,24 +148,29 @@ void write_further_components(StudyText& out, StudyAnswers const& a) {
     auto const write = [&](char const* table, bool has_own_target, char const* ratio, char const* what) {
         if (has_own_target) {
             out.begin(fmt::format("[waves.{}.target]", table));
-            out.state("spectrum", "\"rg-1.60-vertical\"");
+            auto const vertical = quoted("rg-1.60-vertical");
+            a.components ? out.state("spectrum", vertical)
+                         : out.assume("spectrum", vertical,
+                                      "the vertical spectrum of RG 1.60, because --components was not given");
+            out.end();
             return;
         }
         out.begin(fmt::format("[waves.{}]", table));
         out.assume("ratio", ratio, what);
         out.end();
     };
-    if (!a.components) {
-        out.line("\n# assumed: three components, because --components was not given");
-    }
     auto const components = a.components.value_or("3");
     if (components != "1") {
         write("transverse", false, "1",
-              "as strong as the other horizontal component, because no second spectrum was given");
+              a.components
+                  ? "as strong as the other horizontal component, because no second spectrum was given"
+                  : "a second horizontal component as strong as the first, because --components was not given");
     }
     if (components == "3") {
         write("vertical", is_scaled_by_pga(*a.spectrum), "0.667",
-              "two thirds of the horizontal spectrum, because no vertical spectrum was given");
+              a.components
+                  ? "two thirds of the horizontal spectrum, because no vertical spectrum was given"
+                  : "a vertical component of two thirds of the horizontal one, because --components was not given");
     }
 }
 
@@ -161,10 +183,10 @@ void write_drawn_waves(StudyText& out, StudyAnswers const& a) {
                         short_motion ? "30 s, because no duration was given; at least 20 s are usual"
                                      : "120 s, because no duration was given and long-period motion lasts minutes");
     a.acceptance ? out.state("acceptance", quoted(*a.acceptance))
-                 : out.leave_out("acceptance = \"srp-3.7.1\"", "no acceptance rule for waves, because none was given");
-    out.leave_out(R"(envelope = {shape = "jennings", rise = "10 s", level_end = "60 s", end = "110 s"})",
+                 : out.leave_out("acceptance", "\"srp-3.7.1\"", "no acceptance rule for waves, because none was given");
+    out.leave_out("envelope", R"({shape = "jennings", rise = "10 s", level_end = "60 s", end = "110 s"})",
                   "constant amplitude from 1/10 to 1/2 of the duration, because no envelope was given");
-    out.leave_out("variability = {sigma = 0.5, correlation = \"baker-jayaram-2008\"}",
+    out.leave_out("variability", "{sigma = 0.5, correlation = \"baker-jayaram-2008\"}",
                   "every wave follows the target spectrum, because no variability was given: curves are steeper than "
                   "those of recorded motions");
     out.end();
@@ -183,14 +205,14 @@ void write_records(StudyText& out, StudyAnswers const& a) {
     }
     out.state("files", fmt::format("[{}]", files.empty() ? quoted(*a.records) : files));
     a.record_unit ? out.state("unit", quoted(*a.record_unit))
-                  : out.leave_out("unit = \"gal\"", "the unit that each file states, because no unit was given");
+                  : out.leave_out("unit", "\"gal\"", "the unit that each file states, because no unit was given");
     a.baseline ? out.state("baseline", quoted(*a.baseline))
-               : out.leave_out("baseline = \"high-pass 0.05 Hz\"", "no baseline correction, because none was given");
+               : out.leave_out("baseline", "\"high-pass 0.05 Hz\"", "no baseline correction, because none was given");
     a.count ? out.state("count", as_value(*a.count))
-            : out.leave_out("count = 10", "all records, because no number was given");
+            : out.line("# chosen: all records, because no number was given\n# count = 10");
     a.records_of_stations
         ? out.state("components", quoted("station") + "  # each with the other components of its station and event")
-        : out.leave_out("components = \"station\"", "the components of each file, because no others were given");
+        : out.leave_out("components", "\"station\"", "the components of each file, because no others were given");
     out.end();
 }
 
@@ -208,17 +230,16 @@ void write_body(StudyText& out, StudyAnswers const& a, char const* name, char co
     if (a.restitution) {
         out.state("restitution", as_value(*a.restitution));
     } else if (a.base_shape == "round") {
-        out.leave_out("restitution = 0.9",
-                      "the restitution that rim and pad give of themselves, because none was given");
+        out.line("# restitution: that of rim and pad; a round base reads none unless it is stated");
     } else {
         out.assume("restitution", "\"housner\"", "restitution of a rigid block (Housner 1963), because none was given");
     }
     a.base_shape
         ? out.state("base", fmt::format("{{shape = {}}}", quoted(*a.base_shape)))
-        : out.leave_out("base = {shape = \"round\"}", "a square base on rigid corners, because no shape was given");
+        : out.leave_out("base", "{shape = \"round\"}", "a square base on rigid corners, because no shape was given");
     a.pad_strength
         ? out.state("pad", fmt::format("{{strength = {}}}", quoted(*a.pad_strength)))
-        : out.leave_out("pad = {strength = \"30 MPa\"}", "a pad that is not crushed, because no strength was given");
+        : out.leave_out("pad", "{strength = \"30 MPa\"}", "a pad that is not crushed, because no strength was given");
     out.end();
 }
 
@@ -231,44 +252,39 @@ void write_levels(StudyText& out, StudyAnswers const& a) {
     out.begin("[levels]");
     out.state("measure", a.level_dimension() == Dimension::acceleration ? "\"pga\"" : "\"pgv\"");
     out.state("design_basis", quoted(*a.design_basis));
-    out.choose("beyond_design", fmt::format("[{}, {}]", multiple(*a.design_basis, 1.5), multiple(*a.design_basis, 2)),
+    out.assume("beyond_design", fmt::format("[{}, {}]", multiple(*a.design_basis, 1.5), multiple(*a.design_basis, 2)),
                "1.5 and 2 times the design basis, because no other beyond-design motion was given");
-    out.choose("values", "[" + values + "]",
+    out.assume("values", "[" + values + "]",
                "levels from 0.5 to 5 times the design basis, because a fragility curve needs levels where some trials "
                "overturn");
+    out.end();
 }
 
 void write_site(StudyText& out, StudyAnswers const& a) {
     if (!a.has_site()) {
-        out.line("\n# assumed: no obstacle near the cask, because --gap, --wall and --edge were not given");
-        out.line("# [site]");
-        out.line("# cask = \"0.8 m\"");
-        return;
+        return;  // write_head says so
     }
     out.begin("[site]");
     auto const write = [&](char const* key, std::optional<std::string> const& distance, char const* what) {
         distance ? out.state(key, quoted(*distance))
-                 : out.leave_out(fmt::format("{} = \"2 m\"", key),
-                                 fmt::format("{} near the cask, because no distance was given", what));
+                 : out.leave_out(key, "\"2 m\"", fmt::format("{} near the cask, because no distance was given", what));
     };
     write("cask", a.gap, "no other cask");
     write("wall", a.wall, "no wall");
     write("edge", a.edge, "no edge of the pad");
     a.height ? out.state("height", quoted(*a.height))
-             : out.leave_out("height = \"5.2 m\"",
+             : out.leave_out("height", "\"5.2 m\"",
                              "twice the height of the centre of gravity, because no full height was given");
+    out.end();
 }
 
 void write_statistics(StudyText& out, StudyAnswers const& a) {
-    if (a.beta_u) {
-        out.begin("[statistics]");
-        out.state("beta_u", as_value(*a.beta_u));
-        return;
-    }
-    out.line("");
-    out.leave_out("[statistics]\n# beta_u = 0.3",
-                  "no HCLPF, because no beta_U was given (lognormal standard deviation of the median from uncertain "
-                  "properties of the cask)");
+    out.begin("[statistics]");
+    a.beta_u ? out.state("beta_u", as_value(*a.beta_u))
+             : out.leave_out("beta_u", "0.3",
+                             "no HCLPF, because no beta_U was given (lognormal standard deviation of the median from "
+                             "uncertain properties of the cask)");
+    out.end();
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 // Where values come from: {value = ..., basis = "...", source = "...", range = [...]} in place of a value; of a whole
-// table basis = "..." and source = "..." among its keys, or a table `basis` with an entry per key.
+// table basis = "..." and source = "..." among its keys, or a table `basis` with an entry per key. An entry "assumed"
+// may speak of a key that is left out: then its absence is what is assumed.
+#include <algorithm>
 #include <array>
 #include <string>
 #include <utility>
@@ -182,6 +184,25 @@ Origin Table::Node::origin_of(std::string_view key) const {
     return origin;
 }
 
+Key const* Table::Node::left_out(std::string_view key) const {
+    if (table->contains(key) || !asked.contains(key)) {
+        return nullptr;
+    }
+    auto const found = descriptions(key);
+    auto const at =
+        std::ranges::find_if(found, [](Key const* one) { return one->absent.kind != Default::Kind::required; });
+    return at == found.end() ? nullptr : *at;
+}
+
+void Table::Node::keep_left_out(Key const& key, Origin const& origin) const {
+    bool const in_words = key.absent.kind == Default::Kind::in_words;
+    InputValue kept{ledger_key(key.name), in_words ? std::string(key.absent.words) : "not stated", origin.basis,
+                    origin.source};
+    kept.file = file;
+    kept.depth = depth;
+    ledger->add_left_out(std::move(kept));
+}
+
 void Table::Node::check_origins() const {
     auto const* basis = table->get("basis");
     auto const* entries = basis == nullptr ? nullptr : basis->as_table();
@@ -196,7 +217,12 @@ void Table::Node::check_origins() const {
     OriginReader const reader(file, full("basis"));
     for (auto const& [key, node] : *entries) {
         std::string const name(key.str());
-        (void)OriginReader(file, full("basis." + name)).from_entry(node);
+        auto const origin = OriginReader(file, full("basis." + name)).from_entry(node);
+        if (auto const* absent = left_out(name);
+            absent != nullptr && origin.basis == Basis::assumed && origin.range == nullptr) {
+            keep_left_out(*absent, origin);
+            continue;
+        }
         if (name != others && (!table->contains(name) || name == "basis")) {
             auto const near = nearest_name(name, there);
             reader.fail(node, fmt::format("'{}' (no value of this table). {}", name,

@@ -63,6 +63,42 @@ TEST(Assumptions, AreCountedByWhereValuesComeFrom) {
               "12 of 30 inputs are assumed, 9 published, 0 measured, 2 without a source, 7 defaults of this program");
 }
 
+// All that the answer rests on is an input: surroundings, levels, limits, rules for waves, and what is left out if the
+// campaign says that this is assumed. What things are called, and how much is computed, is none.
+TEST(Assumptions, InputsAreWhatTheAnswerRestsOn) {
+    auto const listed = [](std::string const& text) {
+        std::set<std::string> keys;
+        for (auto const& input : physical_inputs(campaign_from(text))) {
+            keys.insert(input.key + (input.basis == config::Basis::assumed ? "!" : ""));
+        }
+        return keys;
+    };
+    auto waves = quick_waves;
+    waves.insert(waves.find("[waves]\n") + 8, "basis={variability='assumed: none'}\n");
+    auto const keys = listed("basis={hazard='assumed: none is known'}\n" + waves + type_b + "basis={pad='assumed'}\n"
+                             + testing::levels("values=[5, 8]\ndesign_basis=6\nbeyond_design=[8]\n"
+                                               "basis={beyond_design='assumed: usual'}\n")
+                             + "[site]\ncask=2\nedge={plus_x=3}\nbasis={wall='assumed: far', height='assumed'}\n"
+                               "[[limits]]\nname='far'\nquantity='peak_rotation_ratio'\nabove=0.5\n"
+                               "[statistics]\nbasis={beta_u='assumed: none'}\n");
+    for (char const* key :
+         {"hazard!", "waves.variability!", "waves.source", "bodies[0].pad!", "levels.values", "levels.beyond_design!",
+          "levels.design_basis", "site.cask", "site.edge.plus_x", "site.wall!", "site.height!", "limits[0].above",
+          "limits[0].quantity", "statistics.beta_u!"}) {
+        EXPECT_TRUE(keys.contains(key)) << key;
+    }
+    for (char const* key : {"bodies[0].name", "limits[0].name", "waves.count", "levels.measure", "seed"}) {
+        EXPECT_FALSE(keys.contains(key)) << key;
+    }
+    EXPECT_TRUE(
+        listed("basis={site='assumed: nothing stands near'}\n" + quick_waves + type_b + levels).contains("site!"));
+    EXPECT_FALSE(is_beta_u_assumed(
+        campaign_from(quick_waves + type_b + levels + "[statistics]\nbasis={beta_u='assumed: none'}\n")))
+        << "none is given";
+    EXPECT_TRUE(is_beta_u_assumed(
+        campaign_from(quick_waves + type_b + levels + "[statistics]\nbeta_u=0.3\nbasis={beta_u='assumed'}\n")));
+}
+
 // A key beside a body's file outranks the file's own: it is one input.
 TEST(Assumptions, WhatIsOutrankedIsNoInput) {
     auto const inputs = [](std::string const& beside) {

@@ -223,6 +223,50 @@ struct Wrong {
 };
 class WrongOrigin : public ::testing::TestWithParam<Wrong> {};
 
+constexpr Keys pad_keys{
+    number_key("strength", Dimension::pressure, Range::positive(), "of the pad").optional(),
+    number_key("damping", Dimension::none, Range::any(), "of the pad").otherwise(0.05),
+    number_key("height", Dimension::length, Range::any(), "of the pad").otherwise_in_words("the width"),
+    number_key("width", Dimension::length, Range::any(), "of the pad")};
+constexpr KeyTable pad_table{.meaning = "a pad", .keys = pad_keys.all};
+
+Table read_pad(std::string const& text) {
+    auto const table = Table::parse(text, "x.toml");
+    table.described_by(pad_table);
+    table.may_have(pad_table);
+    (void)table.number(pad_keys["width"]);
+    (void)table.maybe_number(pad_keys["strength"]);
+    (void)table.maybe_number(pad_keys["height"]);
+    (void)table.number(pad_keys["damping"]);
+    table.finish();
+    return table;
+}
+
+/// A key that is left out may be assumed to be: it is then an input, of the text that stands in for it.
+TEST(Origin, TheAbsenceOfAKeyMayBeAssumed) {
+    auto const table = read_pad(
+        "width=1\nbasis={strength='assumed: elastic', damping='assumed: usual', height='assumed', width='measured'}");
+
+    EXPECT_EQ(input(table, "strength").basis, Basis::assumed);
+    EXPECT_EQ(input(table, "strength").source, "elastic");
+    EXPECT_EQ(input(table, "strength").text, "not stated");
+    EXPECT_FALSE(input(table, "strength").number);
+    EXPECT_EQ(input(table, "damping").basis, Basis::assumed) << "a default too";
+    EXPECT_EQ(input(table, "damping").text, "0.05");
+    EXPECT_EQ(input(table, "height").text, "the width");
+    EXPECT_EQ(input(table, "width").basis, Basis::measured);
+    EXPECT_EQ(table.inputs().size(), 4U);
+    EXPECT_EQ(read_pad("width=1").inputs().size(), 2U) << "nothing is said of what is left out";
+}
+
+/// Only an assumption: nobody measures what is not there, and what must be there is missing.
+TEST(Origin, TheAbsenceOfAKeyIsNotMeasured) {
+    for (char const* basis : {"{strength='measured: here'}", "{strength='published: x'}", "{strenght='assumed'}",
+                              "{strength={basis='assumed', range=[1, 2]}}"}) {
+        expect_input_error([&] { (void)read_pad(std::string("width=1\nbasis=") + basis); }, "no value of this table");
+    }
+}
+
 TEST_P(WrongOrigin, IsRefused) {
     auto const& wrong = GetParam();
     expect_input_error(

@@ -32,6 +32,14 @@ void Ledger::add(InputValue value) {
     }
 }
 
+void Ledger::add_left_out(InputValue value) {
+    if (auto const there = places_.find(value.key);
+        there != places_.end() && values_[there->second].basis == Basis::by_default) {
+        value.text = values_[there->second].text;
+    }
+    add(std::move(value));
+}
+
 bool Ledger::is_outranked(InputValue const& value) const {
     auto const by = [&](std::size_t place) {
         auto const& other = values_[place];

@@ -15,6 +15,8 @@ namespace overturn::config {
 class Ledger {
   public:
     void add(InputValue value);
+    /// Adds the word of a file on a key that it leaves out. A default that stood in for the key keeps its text.
+    void add_left_out(InputValue value);
     /// In the order of reading, without what an outer table outranks.
     [[nodiscard]] std::vector<InputValue> values() const;
 

@@ -88,7 +88,12 @@ struct Table::Node {
     void keep(std::string_view key, toml::node const& value, std::optional<double> number, Dimension dimension) const;
     /// Is `key` no value but says where this table's values come from?
     [[nodiscard]] bool speaks_of_origin(std::string_view key) const;
-    /// \throws InputError where this table's own word on origins names no basis, or a key that is not there
+    /// The description of a key that was left out, whose absence means something; none of any other.
+    [[nodiscard]] Key const* left_out(std::string_view key) const;
+    /// Keeps a key that was left out and of which this table says that its absence is assumed.
+    void keep_left_out(Key const& key, Origin const& origin) const;
+    /// \throws InputError where this table's own word on origins names no basis, or a key that is neither there nor
+    /// left out by assumption
     void check_origins() const;
 };
 
