@@ -28,6 +28,7 @@
 #include "output/results_tables.hpp"
 #include "output/sections.hpp"
 #include "output/status_text.hpp"
+#include "output/typed_columns.hpp"
 #include "results/analysis.hpp"
 #include "results/few_waves.hpp"
 #include "results/hand_check.hpp"
@@ -181,6 +182,7 @@ void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics c
     if (spec.rare && interim.is_null()) {
         std::ranges::move(output::rare_tables(spec, all.rare), std::back_inserter(tables));
     }
+    output::give_typed_units(tables, spec);
     json.update(output::json_of(tables));
     fmt::print("{}\n", json.dump(2));
 }

@@ -9,6 +9,7 @@
 #include "output/detail/fit_words.hpp"
 #include "output/records_table.hpp"
 #include "output/summary_tables.hpp"
+#include "output/typed_columns.hpp"
 
 namespace overturn::output {
 namespace {
@@ -43,6 +44,7 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::span<
     for (auto& table : campaign_tables(spec, statistics, analysis, confidence)) {
         tables.push_back(std::move(table));
     }
+    give_typed_units(tables, spec);
     json.update(json_of(tables));
     json["warnings"] = Json::array();
     json["verdict"] = Json::array();

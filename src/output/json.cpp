@@ -33,7 +33,8 @@ Json json_of(Table const& table) {
     for (auto const& column : table.columns) {
         keys.push_back(column.key());
     }
-    for (auto const& row : table.rows) {
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+        auto const& row = table.rows[r];
         auto object = Json::object();
         for (auto const& [name, value] : table.constants) {
             object[name] = json_of(value);
@@ -41,7 +42,9 @@ Json json_of(Table const& table) {
         Json stated;
         for (std::size_t c = 0; c < keys.size(); ++c) {
             object[keys[c]] = json_of(row[c]);
-            if (auto const& unit = table.columns[c].unit.typed) {
+            auto const& of_column = table.columns[c].unit;
+            if (auto const& unit =
+                    of_column.by_row && r < table.typed_of_rows.size() ? table.typed_of_rows[r] : of_column.typed) {
                 auto const* const si = std::get_if<double>(&row[c]);
                 stated[table.columns[c].name] = stated_json(si != nullptr ? *si : never, *unit);
             }

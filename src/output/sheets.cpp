@@ -111,7 +111,8 @@ class Sheets {
             source.flags.assign(std::istream_iterator<std::string>(flags), {});
         }
         auto const by_row = file_.attribute_or(column.path, "units_from", "");
-        source.column.unit = by_row.empty() ? (column.units.empty() ? "1" : column.units) : by_row;
+        source.column.unit =
+            by_row.empty() ? (column.units.empty() ? "1" : column.units) : fmt::format("unit in column {}", by_row);
         part.sources.push_back(source);
         auto const typed = typed_.find(column.units);
         bool const of_level = name == "amplitude" && column.units == level_units_ && stated_;

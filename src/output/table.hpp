@@ -67,6 +67,8 @@ struct Table {
     std::vector<std::pair<std::string, Cell>> constants = {};
     std::vector<Column> columns = {};
     std::vector<std::vector<Cell>> rows = {};
+    /// Of each row the campaign's own unit of the columns whose unit is by_row: JSON has values in it too. Empty: none.
+    std::vector<std::optional<IntensityUnit>> typed_of_rows = {};
 
     /// The place of a column. \pre it is there
     [[nodiscard]] std::size_t place_of(std::string_view column) const;

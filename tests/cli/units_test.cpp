@@ -220,7 +220,8 @@ TEST_F(Units, EverythingIsReadInTheUnitsOfTheCampaign) {
          {std::pair{"c.tables/trials.csv", "peak_slip [m],peak_slip [in],"},
           {"c.tables/trials.csv", "v_resp [m/s],v_resp [kine],"},
           {"c.tables/waves.csv", "pga [m/s2],pga [g],pgv [m/s],pgv [kine],"},
-          {"c.tables/curves.csv", "hclpf_lower [units],hclpf_lower [g],hclpf_upper [units],"}}) {
+          {"c.tables/curves.csv",
+           "hclpf_lower [unit in column units],hclpf_lower [g],hclpf_upper [unit in column units],"}}) {
         EXPECT_NE(folder.read(file).find(titles), std::string::npos) << titles;
     }
 }
@@ -240,6 +241,34 @@ TEST_F(Units, JsonHasWhatWasTypedBesideSi) {
         expect_typed(row, "peak_rotation_p95", "peak_rotation_p95_rad", "deg", degree_rad);
     }
     EXPECT_GT(fit.at("answer").at(0).at("peak_slip_p95_m").get<double>(), 0);
+    // So have all other tables: by the column's unit, by that of the levels, by that of the row.
+    for (auto const& row : fit.at("stripes")) {
+        expect_typed(row, "amplitude", "amplitude", "g", g_mps2);
+    }
+    for (auto const& row : fit.at("bodies")) {
+        expect_typed(row, "mass", "mass_kg", "kip", 1000 * 0.45359237);
+        expect_typed(row, "half_width", "half_width_m", "in", inch_m);
+        expect_typed(row, "alpha", "alpha_rad", "deg", degree_rad);
+        EXPECT_FALSE(row.at("stated").contains("restitution")) << "has no unit";
+    }
+    int over_pga = 0, over_pgv = 0;
+    for (auto const& row : fit.at("fragility")) {
+        if (row.at("measure") == "pga") {
+            expect_typed(row, "median", "median", "g", g_mps2);
+            ++over_pga;
+        } else if (row.at("measure") == "pgv") {
+            EXPECT_TRUE(!row.contains("stated") || row.at("stated").at("median").at("unit") == "kine");
+            ++over_pgv;
+        }
+    }
+    EXPECT_GT(over_pga, 0);
+    EXPECT_GT(over_pgv, 0);
+    for (auto const& row : fit.at("quantiles")) {
+        if (row.at("quantity") == "peak_slip") {
+            expect_typed(row, "p95", "p95", "in", inch_m);
+        }
+        expect_typed(row, "amplitude", "amplitude", "g", g_mps2);
+    }
 
     auto const again = json::parse(overturn(folder, {"replay", "c.h5", "--trial", "1", "--json"}).out);
     EXPECT_TRUE(again.at("bit_equal").get<bool>()) << again.at("different");
@@ -263,8 +292,19 @@ TEST_F(Units, JsonStaysSi) {
     auto in_gal = fit("measure='pga'\nvalues=['300 gal','600 gal','800 gal','1200 gal','1500 gal']\n").second;
     auto const [table, in_si] = fit("measure='pga'\nvalues=[3, 6, 8, 12, 15]\n");
 
-    EXPECT_EQ(in_gal["fragility"], in_si["fragility"]);
-    EXPECT_EQ(in_gal["stripes"], in_si["stripes"]);
+    for (char const* name : {"fragility", "stripes"}) {
+        ASSERT_FALSE(in_gal[name].empty());
+        for (auto& row : in_gal[name]) {
+            bool const of_levels = name == std::string("stripes") || row["measure"] == "pga";
+            EXPECT_EQ(row.contains("stated"), of_levels) << "gal beside SI";
+            row.erase("stated");
+        }
+        auto si = in_si[name];
+        for (auto& row : si) {
+            row.erase("stated");
+        }
+        EXPECT_EQ(in_gal[name], si);
+    }
     EXPECT_EQ(in_gal["fragility"][0]["units"], "m/s2");
     expect_reported(table, in_si, "pga", "m/s2", 1);
 }

@@ -79,8 +79,8 @@ class Report:
                 writer.writerows([[csv_cell(value) for value in row] for row in rows])
 
     def rows(self, name, rows):
-        """Rows of a table of `overturn fit --json` as they are there, under the names that they have there."""
-        rows = list(rows)
+        """Rows of a table of `overturn fit --json` as they are there, under the names that they have there: SI alone."""
+        rows = [{key: value for key, value in row.items() if key != "stated"} for row in rows]
         if rows:
             self.csv(name, rows[0].keys(), [row.values() for row in rows])
 
