@@ -58,8 +58,9 @@ report::WaveFigure campaign_wave_figure(CampaignInput const& input, CampaignSpec
 void draw_campaign_wave(CampaignInput const& input, CampaignSpec const& spec, GeneratedWave const& made,
                         output::ShownVelocity const& unit, std::string const& output) {
     auto figure = campaign_wave_figure(input, spec, made);
-    auto const accelerations = typed_units(spec).acceleration;
-    figure.accelerations = {accelerations.symbol, accelerations.si};
+    auto const typed = typed_units(spec);
+    figure.accelerations = {typed.acceleration.symbol, typed.acceleration.si};
+    figure.lengths = {typed.length.symbol, typed.length.si};
     figure.velocities = {unit.symbol, unit.si()};
     report::draw_wave(figure, output);
 }

@@ -81,24 +81,26 @@ Json wave_data(WaveFigure const& figure) {
     auto const intensity = intensity_of(motion.horizontal_mps2, step);
     bool const energy_target = figure.target && figure.target->is_energy();
     double const energy_damping = energy_target ? figure.target->damping() : default_energy_damping;
-    Json data{
-        {"title", figure.title},
-        {"subtitle", figure.subtitle},
-        {"units", {{"velocity", unit_json(figure.velocities)}, {"acceleration", unit_json(figure.accelerations)}}},
-        {"pga_mps2", intensity.pga_mps2},
-        {"pgv_mps", intensity.pgv_mps},
-        {"pgd_m", intensity.pgd_m},
-        {"time_step_s", step},
-        {"acceleration_mps2", motion.horizontal_mps2},
-        {"velocity_mps", velocity_of(motion.horizontal_mps2, step)},
-        {"displacement_m", displacement_of(motion.horizontal_mps2, step)},
-        {"period_s", periods},
-        {"damping", figure.damping},
-        {"psa_mps2", response_spectrum(motion.horizontal_mps2, step, periods, figure.damping).psa_mps2},
-        {"energy_damping", energy_damping},
-        {"v_e_mps", input_energy_velocities(motion.horizontal_mps2, step, periods, energy_damping)},
-        {"v_e0_mps", undamped_energy_velocities(motion.horizontal_mps2, step, periods)},
-        {"bodies", bodies_json(figure)}};
+    Json data{{"title", figure.title},
+              {"subtitle", figure.subtitle},
+              {"units",
+               {{"velocity", unit_json(figure.velocities)},
+                {"acceleration", unit_json(figure.accelerations)},
+                {"length", unit_json(figure.lengths)}}},
+              {"pga_mps2", intensity.pga_mps2},
+              {"pgv_mps", intensity.pgv_mps},
+              {"pgd_m", intensity.pgd_m},
+              {"time_step_s", step},
+              {"acceleration_mps2", motion.horizontal_mps2},
+              {"velocity_mps", velocity_of(motion.horizontal_mps2, step)},
+              {"displacement_m", displacement_of(motion.horizontal_mps2, step)},
+              {"period_s", periods},
+              {"damping", figure.damping},
+              {"psa_mps2", response_spectrum(motion.horizontal_mps2, step, periods, figure.damping).psa_mps2},
+              {"energy_damping", energy_damping},
+              {"v_e_mps", input_energy_velocities(motion.horizontal_mps2, step, periods, energy_damping)},
+              {"v_e0_mps", undamped_energy_velocities(motion.horizontal_mps2, step, periods)},
+              {"bodies", bodies_json(figure)}};
     data["further"] = Json::array();
     for (auto const& [name, values] :
          {std::pair{"transverse", &motion.transverse_mps2}, std::pair{"vertical", &motion.vertical_mps2}}) {

@@ -48,6 +48,7 @@ struct WaveFigure {
     };
     Unit velocities;                   ///< unit of drawn velocities
     Unit accelerations = {"m/s2", 1};  ///< and of drawn accelerations
+    Unit lengths = {"m", 1};           ///< and of drawn displacements
 };
 
 /// Data of the figure, for pages that hold it among others.

@@ -107,7 +107,7 @@ def wrong_tests(specimen):
 
 def shown_test(row):
     wave, record, motion, pga, pgv, *others = row
-    return [wave, record, motion, value_of(100 * pga, 3), value_of(style.speed(pgv), 3), *(value_of(other, 3) for other in others)]
+    return [wave, record, motion, value_of(style.shown('acceleration', pga), 3), value_of(style.speed(pgv), 3), *(value_of(other, 3) for other in others)]
 
 
 def part_of(report, specimen, unit):
@@ -133,7 +133,7 @@ def part_of(report, specimen, unit):
     report.csv(f"false_safe-{plain}", ["wave", "record", "motion", "pga_mps2", "pgv_mps", "peak_rotation_ratio", "predicted_chance",
                                        *(f"{measure}_ratio" for measure in measures)], rows)
     mean = ", mean" if len(specimen.bodies) > 1 else ""
-    head = ["wave", "record", "motion", "PGA [gal]", f"PGV [{style.speed_unit()}]", f"peak rotation / α{mean}", "predicted chance",
+    head = ["wave", "record", "motion", f"PGA [{style.unit('acceleration')}]", f"PGV [{style.speed_unit()}]", f"peak rotation / α{mean}", "predicted chance",
             *(f"{name_of(measure, unit)} / V_Ereq{mean}" for measure in measures)]
     parts.append(fold(notes["false_safe_tests"],
                       table(notes["false_safe_tests"], head, map(shown_test, rows), kind="sortable")) if rows

@@ -64,8 +64,8 @@ def pulses(name, pulses_of_it, path):
                                   squeeze=False, layout="constrained")
     for axes, pulse in zip(panels[:, 0], shown):
         axes.axhline(0, color=GREY, lw=0.5)
-        axes.plot(pulse["time_s"], 100 * np.asarray(pulse["acceleration_mps2"]), color=BLUE, lw=0.9)
-        axes.set_ylabel("gal")
+        axes.plot(pulse["time_s"], style.shown("acceleration", np.asarray(pulse["acceleration_mps2"])), color=BLUE, lw=0.9)
+        axes.set_ylabel(style.unit("acceleration"))
         axes.annotate(f"{100 * pulse['share']:.0f} % of failures", (1, 1), xycoords="axes fraction", xytext=(-3, -3),
                       textcoords="offset points", ha="right", va="top", fontsize=7)
     panels[0, 0].set_title(f"{style.literal(name)}: the pulses that overturn it, at factor {shown[0]['factor']:.4g}")
@@ -78,8 +78,8 @@ def failing(name, wave, alpha, path):
     style.use()
     figure, (above, below) = plt.subplots(2, 1, figsize=(5.6, 2.8), sharex=True, layout="constrained")
     above.axhline(0, color=GREY, lw=0.5)
-    above.plot(wave["time_s"], 100 * np.asarray(wave["acceleration_mps2"]), color=BLUE, lw=0.6)
-    above.set(ylabel="gal", title=f"{style.literal(name)}: a wave that overturns it at factor {wave['factor']:.4g}")
+    above.plot(wave["time_s"], style.shown("acceleration", np.asarray(wave["acceleration_mps2"])), color=BLUE, lw=0.6)
+    above.set(ylabel=style.unit("acceleration"), title=f"{style.literal(name)}: a wave that overturns it at factor {wave['factor']:.4g}")
     tilt = np.asarray(wave["tilt_rad"]) / alpha
     below.plot(wave["tilt_time_s"], np.clip(tilt, -1.6, 1.6), color=ORANGE, lw=0.8)
     for side in (-1, 1):

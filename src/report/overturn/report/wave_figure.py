@@ -45,8 +45,8 @@ def draw_window_energy(axes, time, bodies, pga_mps2):
     for body, (colour, line) in zip(bodies, (BODIES * len(bodies))):
         v = speed(np.array(body["v_wes_mps"]))
         peak, limit, unit = v.max(), speed(body["v_ereq_mps"]), style.speed_unit()
-        gal = 100 * pga_mps2
-        reach = f"reached at {number(limit / peak)} times this wave, PGA {gal * limit / peak:.0f} gal" if peak > 0 else ""
+        reach = (f"reached at {number(limit / peak)} times this wave, PGA {number(style.shown('acceleration', pga_mps2) * limit / peak)} "
+                 f"{style.unit('acceleration')}" if peak > 0 else "")
         axes.plot((time[1] - time[0]) * np.arange(len(v)) if len(time) > 1 else [time[0]] * len(v), v, color=colour, ls=line, lw=1.2,
                   label=f"{body['name']}: at most {number(peak)} {unit}; level line: $V_{{Ereq}}$ {number(limit)} {unit}, {reach}")
         axes.axhline(limit, color=colour, ls=line, lw=0.8, alpha=0.75)
@@ -138,8 +138,8 @@ def draw_rows(figure, grid, rows, data, bodies):
         draw_history(axes[component["name"]], time, values, component["name"], unit, f"{number(np.max(np.abs(values)))} {unit}")
     draw_history(axes["velocity"], time, speed(np.array(data["velocity_mps"])), "velocity", style.speed_unit(),
                  f"PGV {number(speed(data['pgv_mps']))} {style.speed_unit()}")
-    draw_history(axes["displacement"], time, np.array(data["displacement_m"]), "displacement", "m",
-                 f"PGD {number(data['pgd_m'])} m")
+    draw_history(axes["displacement"], time, style.shown("length", np.array(data["displacement_m"])), "displacement", style.unit("length"),
+                 f"PGD {number(style.shown('length', data['pgd_m']))} {style.unit('length')}")
     if bodies:
         draw_window_energy(axes["energy"], time, bodies, data["pga_mps2"])
         axes["energy"].set_title("Window energy spectrum against the limit velocity", pad=3)
