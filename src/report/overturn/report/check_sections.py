@@ -10,7 +10,7 @@ def by_hand(report):
     if not lines:
         return ""
     report.rows("hand_check", report.fit["hand_check"])
-    rows = [[check["body"], report.capacity(check["overturning_level"]), report.capacity(check["simulated_median"])]
+    rows = [[check["body"], report.capacity(check["overturning_level"]), report.amplitude(check["simulated_median"])]
             for check in report.fit["hand_check"]]
     unsafe = [check["body"] for check in report.fit["hand_check"] if check["unsafe"]]
     warning = [report.notes["hand_unsafe"].format(bodies=", ".join(unsafe))] if unsafe else []

@@ -127,7 +127,8 @@ def fragility(results, bodies, fits, stripes, what, path):
                     handles[label] = Line2D([], [], color=GREY, lw=0.8, ls=look)
             level_axis(axes, results, mine, floor)
         row[0].set_title(style.literal(body.name))
-        row[0].set_ylabel(style.literal(f"P of {what}"))
+        for axes in row:  # the right one is read by its own name: it is logarithmic
+            axes.set_ylabel(style.literal(f"P of {what}"))
     style.legend_below(figure, list(handles.values()), list(handles))
     style.save(figure, path)
 
@@ -149,22 +150,32 @@ def compared(results, fits, stripes, what, path):
                 axes.plot([], [], color=colour, ls=line, marker="o", ms=3.4, label=f"{label} (no curve)")
             draw_stripes(axes, results, [s for s in stripes if s["body"] == body.name], floor, colour)
         level_axis(axes, results, stripes, floor)
-    panels[0].set_ylabel(style.literal(f"P of {what}"))
+    for axes in panels:
+        axes.set_ylabel(style.literal(f"P of {what}"))
     panels[0].set_title("all bodies")
     style.legend_below(figure, *panels[0].get_legend_handles_labels(), columns=2)
     style.save(figure, path)
     return True
 
 
-def responses(results, rows, limits, path):
-    """Median, 84 % and 95 % of a response over the levels with their intervals, and the limits set to it."""
+FELL = 1.2  # where a percentile that stands for a body that overturned is drawn, in units of alpha
+
+
+def responses(results, rows, limits, path, overturned):
+    """Median, 84 % and 95 % of a response over the levels with their intervals, and the limits set to it. overturned: of each
+    percentile, at which levels it is a body that overturned: of a rotation it is drawn as such at the top, of a slip not at all."""
     style.use()
     figure, axes = plt.subplots(figsize=(5.2, 2.3), layout="constrained")
     amplitude, unit = results.in_units(numbers(rows, "amplitude"))
     for (key, label), colour in zip((("median", "median"), ("p84", "84 %"), ("p95", "95 %")), (BLUE, ORANGE, VERMILION)):
         value, lower, upper = (numbers(rows, key + end) for end in ("", "_lower", "_upper"))
         bars = np.nan_to_num(np.abs(np.array([value - lower, upper - value])))
-        axes.errorbar(amplitude, value, yerr=bars, fmt="o-", ms=3, color=colour, elinewidth=0.8, capsize=2, label=label)
+        if np.isfinite(value).any():
+            axes.errorbar(amplitude, value, yerr=bars, fmt="o-", ms=3, color=colour, elinewidth=0.8, capsize=2, label=label)
+        fell = np.array(overturned[key], dtype=bool)
+        if rows[0]["quantity"] == "peak_rotation_ratio" and fell.any():
+            axes.plot(amplitude[fell], np.full(fell.sum(), FELL), "^", ms=5, mfc="white", color=colour, label=f"{label}: overturned",
+                      zorder=5)
     for n, limit in enumerate(limits):
         axes.axhline(limit["threshold"], color=GREY, lw=0.9, ls=("--", "-.", ":")[n % 3], label=style.literal(f"limit {limit['name']}"))
     quantity, units = rows[0]["quantity"], rows[0]["units"]
@@ -172,8 +183,8 @@ def responses(results, rows, limits, path):
     axes.set(xlabel=MEASURES[results.measure] + (f" [{unit}]" if unit else ""),
              ylabel=label + (f" [{units}]" if units != "1" else ""))
     axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
-    axes.set_ylim(0, 1.25 if quantity == "peak_rotation_ratio" and np.nanmax([0, *numbers(rows, "p95"), *numbers(rows, "median")]) > 1.25
-                  else None)
+    beyond = quantity == "peak_rotation_ratio" and any(map(any, overturned.values()))
+    axes.set_ylim(0, 1.06 * FELL if beyond else None)
     style.legend_below(figure, *axes.get_legend_handles_labels())
     style.save(figure, path)
 

@@ -33,7 +33,7 @@ def response(row, key, fewest):
     if row["trials"] + row["unknown"] < fewest[key]:
         return "–"
     beyond = (row["trials"] - 1) * (1 - SHARES[key])
-    return "overturned" if row[key] is None and row["overturned"] > beyond else value_of(row[key], 3)
+    return "overturned" if row[key] is None and row["overturned"] > beyond else high_of(row[key], 3)  # as the answer has it
 
 
 # The sections.
@@ -207,9 +207,11 @@ def responses(report):
                 continue
             limits_of_it = [{**limit, "threshold": style.shown(kind, limit["threshold"]) if kind else limit["threshold"]}
                             for limit in report.fit["limit_states"] if limit.get("quantity") == quantity]
+            known = [without_fallen(q, fallen) for q in mine]
+            fell = {key: [response(q, key, report.data["fewest_values"]) == "overturned" for q in known] for key, _ in QUANTILES}
             drawn = report.figure(f"{quantity.replace('_', '-')}-{body.name}",
-                                  lambda path, mine=mine, of_it=limits_of_it: fragility_figures.responses(
-                                      report.results, mine, of_it, path), f"{name} of {body.name} per level")
+                                  lambda path, known=known, of_it=limits_of_it, fell=fell: fragility_figures.responses(
+                                      report.results, known, of_it, path, fell), f"{name} of {body.name} per level")
             what = f"{body.name}: {name}{f' [{unit}]' if unit else ''}"
             parts += [f"<h4>{escape(what)}</h4>", drawn,
                       table(what, ["level", *(title for _, title in QUANTILES), "lowest to highest", "trials"],
