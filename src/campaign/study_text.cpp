@@ -222,7 +222,9 @@ void write_body(StudyText& out, StudyAnswers const& a, char const* name, char co
     out.state("mass", quoted(*a.mass));
     out.state("centre_height", quoted(*a.centre_height));
     out.state("base_width", quoted(*a.base_width));
-    out.assume("inertia", "\"uniform-block\"", "a block of uniform density, because no inertia was given");
+    out.assume("inertia", "\"uniform-block\"",
+               "all of this mass is one rigid body of uniform density, because neither inertia nor parts were given: a "
+               "cask on a pallet is taken as fastened to it");
     a.friction ? out.state("friction", as_value(*a.friction))
                : out.assume("friction", assumed_friction,
                             "two bodies with friction 0.2 and 0.8, because none was given: steel on concrete lies "

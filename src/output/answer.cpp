@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign/assumptions.hpp"
+#include "campaign/cautions.hpp"
 #include "campaign/typed_units.hpp"
 #include "campaign/validated_range.hpp"
 #include "core/outward.hpp"
@@ -308,6 +309,14 @@ std::string no_probability_text(Answered const& of) {
 
 AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows, std::size_t parts) {
     return of.spec.is_grid() || of.analysis.empty() ? AnswerSheet{} : SheetMaker(of, most_rows, parts).sheet();
+}
+
+std::vector<std::string> cautions_of(Answered const& of) {
+    auto lines = overturn::cautions_of(of.spec);
+    for (auto& line : lines) {
+        line += '.';
+    }
+    return lines;
 }
 
 }  // namespace overturn::output

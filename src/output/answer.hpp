@@ -47,11 +47,14 @@ struct AnswerSheet {
     std::string left_out;    ///< rows that were left out, and their place; empty: none
     std::string dependence;  ///< conditions of the numbers
 };
-/// Empty where waves are points of a grid, which are no sample. \param most_rows where bodies are many, rows are left
-/// out \param parts in which the levels are shown one below the other: each repeats the rows
+/// Empty where waves are points of a grid, which are no sample. \param most_rows where bodies are many, rows are
+/// left out \param parts in which the levels are shown one below the other: each repeats the rows
 [[nodiscard]] AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows, std::size_t parts = 1);
 
-/// The same for the terminal: at most 15 lines of at most 100 columns, then what the numbers depend on.
+/// Warnings that change how the answer may be read (cautions_of), each a sentence.
+[[nodiscard]] std::vector<std::string> cautions_of(Answered const& of);
+
+/// The same for the terminal: at most 15 lines of at most 100 columns, then cautions and what the numbers depend on.
 [[nodiscard]] std::string answer_text(Answered const& of);
 
 /// The same in SI: a row for each body, limit state and level.

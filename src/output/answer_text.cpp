@@ -73,6 +73,14 @@ struct Widths {
     }
 };
 
+std::string cautions_text(Answered const& of) {
+    std::string text;
+    for (auto const& caution : cautions_of(of)) {
+        text += wrapped("caution: " + caution, 4);
+    }
+    return text;
+}
+
 }  // namespace
 
 std::string answer_text(Answered const& of) {
@@ -87,7 +95,7 @@ std::string answer_text(Answered const& of) {
     std::size_t across = 3;
     auto sheet = sheet_of(across);
     if (sheet.rows.empty()) {
-        return {};
+        return cautions_text(of);
     }
     if (auto const fit = Widths(sheet).levels_in_a_line(); fit < across) {
         across = fit;
@@ -106,7 +114,8 @@ std::string answer_text(Answered const& of) {
             }
         }
     }
-    return text + (sheet.left_out.empty() ? std::string() : sheet.left_out + "\n") + wrapped(sheet.dependence);
+    return text + (sheet.left_out.empty() ? std::string() : sheet.left_out + "\n") + cautions_text(of)
+           + wrapped(sheet.dependence);
 }
 
 }  // namespace overturn::output

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "campaign/cautions.hpp"
 #include "output/campaign_tables.hpp"
 #include "output/detail/body_table.hpp"
 #include "output/detail/criterion_words.hpp"
@@ -46,6 +47,7 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::span<
     }
     give_typed_units(tables, spec);
     json.update(json_of(tables));
+    json["cautions"] = cautions_of(spec);
     json["warnings"] = Json::array();
     json["verdict"] = Json::array();
     for (auto const& body : analysis) {

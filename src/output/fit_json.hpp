@@ -24,7 +24,7 @@ enum class WarningUnits { si, as_written };
 [[nodiscard]] Json warnings_json(std::string const& body, std::span<MeasuredFragility const> fits, double confidence,
                                  WarningUnits units = WarningUnits::si);
 
-/// All tables of the campaign (campaign_tables), `variability`, `verdict` and `warnings`.
+/// All tables of the campaign (campaign_tables), `variability`, `verdict`, `warnings`, and `cautions` of the answer.
 [[nodiscard]] Json fit_json(CampaignSpec const& spec, Statistics const& statistics,
                             std::span<BodyAnalysis const> analysis, double confidence,
                             WarningUnits units = WarningUnits::si);

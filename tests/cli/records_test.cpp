@@ -143,6 +143,37 @@ TEST_F(RecordsOnTheLine, ScaledRecordsAreReported) {
     }
 }
 
+// how many records drift, or are scaled by more than five, stands with the answer: also where the file
+// has their hashes alone, so that nobody knows.
+TEST_F(RecordsOnTheLine, DriftAndScaleStandWithTheAnswer) {
+    auto const answered = [&](std::string const& waves, std::string const& values) {
+        folder.write("c.toml", campaign(waves, "pga", values));
+        std::filesystem::remove(folder / "c.h5");
+        auto const ended = overturn(folder, {"run", "c.toml"});
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        EXPECT_EQ(unwrapped(overturn(folder, {"fit", "c.h5"}).out).find("caution:") != std::string::npos,
+                  unwrapped(ended.out).find("caution:") != std::string::npos);
+        return unwrapped(ended.out);
+    };
+    std::string const three = "files=['rests.csv','drifts.csv','r1.csv']\n";
+    write_records(2);
+    auto const both = answered(three + "scale=2\n", "'300 gal','900 gal'");
+    EXPECT_NE(both.find("caution: 1 of 3 records drifts, 3 are scaled by more than 5, up to 9.0"), std::string::npos)
+        << both;
+    auto const drift = answered(three, "'300 gal'");
+    EXPECT_NE(drift.find("caution: 1 of 3 records drifts: "), std::string::npos) << drift;
+    EXPECT_EQ(answered("files=['rests.csv']\n", "'300 gal'").find("caution:"), std::string::npos);
+    auto const scaled = answered("files=['rests.csv']\nscale=2\n", "'900 gal'");
+    EXPECT_NE(scaled.find("caution: 1 of 1 record is scaled by more than 5, up to 9.0"), std::string::npos) << scaled;
+
+    folder.write("c.toml", "inputs='hash-only'\n" + campaign(three, "pga", "'300 gal'"));
+    std::filesystem::remove(folder / "c.h5");
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    auto const withheld = unwrapped(overturn(folder, {"fit", "c.h5"}).out);
+    EXPECT_NE(withheld.find("whether records drift or are scaled by more than 5 is not known here"), std::string::npos)
+        << withheld;
+}
+
 // what a baseline correction does to PGA, PGV, PGD and Sa is said by every verb that makes one.
 TEST_F(RecordsOnTheLine, TheEffectOfABaselineIsReported) {
     folder.write("c.toml", campaign("files=['drifts.csv']\nbaseline='mean'\n", "pga", "'100 gal'"));

@@ -130,6 +130,36 @@ TEST_F(Warnings, CaskLooseOnItsPallet) {
     EXPECT_NE(folder.read("c.html").find("part 1 tips on the part below at 0.463 g"), std::string::npos);
 }
 
+// the answer itself says under what its numbers hold: printed, in JSON, and on the page's first sheet.
+TEST_F(Warnings, CaskLooseOnItsPalletStandsWithTheAnswer) {
+    std::string const caution =
+        "b: part 1 tips on the part below at 0.462 g: these numbers hold only if it is fastened.";
+    auto const stacked = [](std::string const& of_cask, std::string const& level) {
+        return records_campaign("pga", level,
+                                "axes=1\nbase_width='3.4 m'\nparts=[{kind='cylinder', mass='117 t', diameter=2.5, "
+                                "height=5.4, bottom=0.35"
+                                    + of_cask + "}, {kind='box', mass='21 t', width=3.4, height=0.35}]\n");
+    };
+    auto const ran = [&](std::string const& of_cask, std::string const& level) {
+        folder.write("c.toml", stacked(of_cask, level));
+        std::filesystem::remove(folder / "c.h5");
+        auto const ended = overturn(folder, {"run", "c.toml"});
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return ended.out;
+    };
+    EXPECT_NE(ran("", "'600 gal'").find("caution: " + caution + "\n"), std::string::npos);
+    EXPECT_NE(overturn(folder, {"fit", "c.h5"}).out.find("caution: " + caution + "\n"), std::string::npos);
+    auto const cautions = nlohmann::json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out)["cautions"];
+    EXPECT_EQ(cautions[0].get<std::string>() + '.', caution);
+    ASSERT_EQ(overturn(folder, {"report", "c.h5", "-o", "c.html"}).code, 0);
+    auto const page = folder.read("c.html");
+    auto const cover = page.substr(0, page.find("class=identity"));
+    EXPECT_NE(cover.find(caution), std::string::npos);
+    EXPECT_EQ(ran(", fastened=true", "'600 gal'").find("tips on the part below"), std::string::npos);
+    EXPECT_EQ(ran("", "'450 gal'").find("tips on the part below"), std::string::npos)
+        << "0.459 g part nothing by statics";
+}
+
 TEST_F(Warnings, PgvOf5000Kine) {
     expect_warned(records_campaign("pgv", "50"), {"levels up to pgv 50 m/s = 5000 kine", "Write \"50 kine\""});
     expect_warned(records_campaign("pga", "300"), {"levels up to pga 300 m/s2 = 30000 gal", "Write \"300 gal\""});

@@ -26,24 +26,27 @@ double factor_of(CampaignSpec const& spec, GroundMotion motion) {
 
 }  // namespace
 
-std::string warning_of_scaled_records(CampaignSpec const& spec) {
+ScaledRecords scaled_records(CampaignSpec const& spec) {
+    ScaledRecords found;
     if (!spec.source->about().available || spec.levels.levels.empty()) {
-        return {};
+        return found;
     }
-    double most = 0;
-    std::int64_t which = 0;
-    std::int64_t count = 0;
     for (std::int64_t wave = 0; wave < std::min(spec.wave_count, looked_at); ++wave) {
         std::uint64_t const number = wave;
         auto const drift = spec.source->drift(number);  // of records only
         if (!drift) {
-            return {};
+            return found;
         }
         double const factor = factor_of(spec, spec.source->make(spec.seed, number).motion) * drift->factor;
-        count += factor > most_scaled ? 1 : 0;
-        which = factor > most ? wave : which;
-        most = std::max(most, factor);
+        found.count += factor > most_scaled ? 1 : 0;
+        found.which = factor > found.most ? wave : found.which;
+        found.most = std::max(found.most, factor);
     }
+    return found;
+}
+
+std::string warning_of_scaled_records(CampaignSpec const& spec) {
+    auto const [most, which, count] = scaled_records(spec);
     if (count == 0) {
         return {};
     }
