@@ -93,12 +93,20 @@ class StudyText {
     std::string text_, assumed_;
 };
 
+// What is asked beside overturning, by what stands or ends near the cask.
+std::string asked_beside(StudyAnswers const& a) {
+    bool const touches = a.gap || a.wall;
+    return touches && a.edge ? ", to touch or to leave its pad"
+           : touches         ? " or to touch"
+           : a.edge          ? " or to leave its pad"
+                             : "";
+}
+
 void write_head(StudyText& out, std::string const& name, StudyAnswers const& a) {
     auto const results = std::filesystem::path(name).replace_extension(".h5").string();
     auto const page = std::filesystem::path(name).replace_extension(".html").string();
     out.line(fmt::format("# Question: how likely is a cask of {} on a base of {} to overturn{} at {} and beyond?",
-                         *a.mass, *a.base_width, a.has_site() ? ", to touch or to leave its pad" : "",
-                         *a.design_basis));
+                         *a.mass, *a.base_width, asked_beside(a), *a.design_basis));
     out.line("#");
     std::string command = "overturn new " + as_argument(name);
     for (auto const& question : study_questions()) {

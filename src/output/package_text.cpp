@@ -29,15 +29,16 @@ constexpr std::array known_checks{KnownCheck{"stored rows against a second compu
 
 std::string named(RecordKind kind) { return known_checks[static_cast<std::size_t>(kind)].check; }
 
-std::string bodies_text(CampaignSpec const& spec) {
+// "the body cask", "any of the bodies type-a and type-b"
+std::string bodies_text(CampaignSpec const& spec, char const* of_several) {
     constexpr std::size_t most = 3;
     auto const& bodies = spec.bodies;
     if (bodies.size() > most) {
-        return fmt::format("each of {} bodies", bodies.size());
+        return fmt::format("{} of {} bodies", of_several, bodies.size());
     }
-    std::string text;
+    auto text = bodies.size() == 1 ? std::string("the body ") : fmt::format("{} of the bodies ", of_several);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
-        text += (b == 0 ? "" : b + 1 == bodies.size() ? " or " : ", ") + bodies[b].name;
+        text += (b == 0 ? "" : b + 1 == bodies.size() ? " and " : ", ") + bodies[b].name;
     }
     return text;
 }
@@ -157,11 +158,12 @@ std::string question_text(CampaignSpec const& spec) {
     if (!spec.cover.question.empty()) {
         return spec.cover.question;
     }
-    return spec.is_grid() ? fmt::format("At which amplitudes and frequencies does {} overturn?", bodies_text(spec))
+    return spec.is_grid()
+               ? fmt::format("At which amplitudes and frequencies does {} overturn?", bodies_text(spec, "each"))
            : no_sample(spec, spec.wave_count)
-               ? fmt::format("Which of these recorded motions overturn {}{} {}?", bodies_text(spec),
+               ? fmt::format("Which of these recorded motions overturn {}{} {}?", bodies_text(spec, "any"),
                              spec.limits.size() < 2 ? "" : ", or pass another limit state,", levels_text(spec.levels))
-               : fmt::format("How likely is {} to overturn{} {}?", bodies_text(spec), other_limits(spec),
+               : fmt::format("How likely is {} to overturn{} {}?", bodies_text(spec, "each"), other_limits(spec),
                              levels_text(spec.levels));
 }
 

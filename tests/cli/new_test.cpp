@@ -145,6 +145,31 @@ TEST_F(New, AnswersStandAsTheyWereTyped) {
     EXPECT_NE(text.find("friction = 0.8\n"), std::string::npos);
 }
 
+// R-918: the question asks about what was given near the cask, and about nothing else. What a stated mass is taken as
+// is the first assumption, and in the list.
+TEST_F(New, TheQuestionIsOfWhatWasGiven) {
+    auto const asked = [&](Arguments const& site) {
+        EXPECT_EQ(written(joined({"--spectrum", "mlit-ch1", "--design-basis", "600 gal"}, site)).code, 0);
+        auto const text = folder.read("s.toml");
+        return text.substr(0, text.find('\n'));
+    };
+    auto const question = [](std::string const& beside) {
+        return "# Question: how likely is a cask of 258 kip on a base of 134 in to overturn" + beside
+               + " at 600 gal and beyond?";
+    };
+    EXPECT_EQ(asked({}), question(""));
+    EXPECT_EQ(asked({"--gap", "1 m"}), question(" or to touch"));
+    EXPECT_EQ(asked({"--wall", "1 m"}), question(" or to touch"));
+    EXPECT_EQ(asked({"--edge", "1 m"}), question(" or to leave its pad"));
+    EXPECT_EQ(asked({"--wall", "1 m", "--edge", "1 m"}), question(", to touch or to leave its pad"));
+    auto const text = folder.read("s.toml");
+    EXPECT_NE(text.find("# assumed: all of this mass is one rigid body"), std::string::npos);
+    EXPECT_NE(text.find("inertia = \"assumed: neither inertia nor parts were given: a cask on a pallet is taken as "
+                        "fastened to it\""),
+              std::string::npos)
+        << text;
+}
+
 // Names that would end a text, a comment or a shell's word; files beside another folder.
 TEST_F(New, FilesAreNamedFromTheCampaign) {
     std::string const hostile = "it's \"mine\" \\ $(x).csv";

@@ -77,8 +77,9 @@ class CalculationPackage : public ::testing::Test {
 
 TEST_F(CalculationPackage, CoverBearsWhatIsStatedAndNoMore) {
     auto const plain = data_of().at("cover");
-    EXPECT_EQ(plain.at("question"),
-              "How likely is type-a or type-b to overturn at the design basis (pga 600 gal) and beyond?");
+    EXPECT_EQ(
+        plain.at("question"),
+        "How likely is each of the bodies type-a and type-b to overturn at the design basis (pga 600 gal) and beyond?");
     EXPECT_EQ(plain.at("date"), "");
     EXPECT_EQ(plain.at("revision"), "2");
     EXPECT_EQ(plain.at("signatures"),
