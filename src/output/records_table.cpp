@@ -10,6 +10,8 @@
 #include "campaign/limit_state.hpp"
 #include "campaign/typed_units.hpp"
 #include "campaign/verdict_text.hpp"
+#include "core/outward.hpp"
+#include "core/text_width.hpp"
 #include "core/wrapped.hpp"
 #include "output/answer.hpp"
 #include "output/detail/columns_text.hpp"
@@ -21,7 +23,13 @@ namespace {
 
 constexpr double degrees_per_rad = 180 / pi;
 
-std::string number_or_dash(double value) { return std::isnan(value) ? std::string("-") : fmt::format("{:.3g}", value); }
+// "0.0213", "12.5", "1070": three digits, and all of them before the point.
+std::string number_or_dash(double value) {
+    constexpr double thousand = 1000;
+    return std::isnan(value)             ? std::string("-")
+           : std::abs(value) >= thousand ? fmt::format("{:.0f}", value)
+                                         : fmt::format("{:.3g}", value);
+}
 
 // A signed response says how far it is from its limit: its nearness is the exponential of the metres beyond.
 std::string nearness_text(LimitState const& limit, double nearness, IntensityUnit const& unit) {
@@ -100,7 +108,7 @@ std::vector<TrialRow> at_answer_levels(CampaignSpec const& spec, std::span<Trial
 RecordSheet record_sheet(CampaignSpec const& spec, std::span<TrialRow const> trials) {
     auto const slip = typed_units(spec).slip;
     RecordSheet sheet{{"record", "body", spec.levels.measure_label(), "verdict", fmt::format("slip [{}]", slip.symbol),
-                       "tilt [deg]", "model"},
+                       "tilt [deg]", "tilt / alpha", "model"},
                       {},
                       {}};
     bool const limits = spec.limits.size() > 1;
@@ -120,6 +128,7 @@ RecordSheet record_sheet(CampaignSpec const& spec, std::span<TrialRow const> tri
                               : end.fell   ? "fell"
                                            : number_or_dash(slip.of(row.peak_slip_m)),
                               end.fell ? "fell" : number_or_dash(degrees_per_rad * row.peak_rotation_rad),
+                              end.fell ? "fell" : number_or_dash(rounded_up(row.peak_rotation_ratio)),
                               model_name(row)});
         if (limits) {
             sheet.rows.back().push_back(nearest_limit(spec, judge, row));
@@ -133,16 +142,37 @@ std::string records_text(CampaignSpec const& spec, std::span<TrialRow const> tri
     if (sheet.rows.empty()) {
         return {};
     }
-    std::vector<TextGroup> columns;
-    for (std::size_t c = 0; c < sheet.head.size(); ++c) {
-        auto const side = sheet.head[c].ends_with(']') ? TextColumn::Side::right : TextColumn::Side::left;
-        TextColumn column{sheet.head[c], {}, side};
+    // What a line does not hold stands below, again behind record, body and level.
+    constexpr std::size_t names = 3;
+    constexpr std::size_t gap = 2;
+    std::vector<TextGroup> groups;
+    TextColumn trial{"", {}, TextColumn::Side::left};
+    std::vector<std::size_t> wide(names, 0);
+    for (std::size_t c = 0; c < names; ++c) {
+        wide[c] = text_width(sheet.head[c]);
+        for (auto const& row : sheet.rows) {
+            wide[c] = std::max(wide[c], text_width(row[c]));
+        }
+    }
+    auto const named = [&](std::vector<std::string> const& row) {
+        std::string text;
+        for (std::size_t c = 0; c < names; ++c) {
+            text += fmt::format("{:<{}}", row[c], wide[c] + (c + 1 < names ? gap : 0));
+        }
+        return text;
+    };
+    trial.head = named(sheet.head);
+    std::ranges::transform(sheet.rows, std::back_inserter(trial.cells), named);
+    groups.push_back({std::move(trial)});
+    for (std::size_t c = names; c < sheet.head.size(); ++c) {
+        bool const is_number = sheet.head[c].ends_with(']') || sheet.head[c].ends_with("alpha");
+        TextColumn column{sheet.head[c], {}, is_number ? TextColumn::Side::right : TextColumn::Side::left};
         for (auto const& row : sheet.rows) {
             column.cells.push_back(row[c]);
         }
-        columns.push_back({std::move(column)});
+        groups.push_back({std::move(column)});
     }
-    return columns_text(columns) + (sheet.note.empty() ? std::string() : wrapped(sheet.note, 4));
+    return columns_text(groups) + (sheet.note.empty() ? std::string() : wrapped(sheet.note, 4));
 }
 
 Table records_table(CampaignSpec const& spec, std::span<TrialRow const> trials) {
@@ -159,6 +189,8 @@ Table records_table(CampaignSpec const& spec, std::span<TrialRow const> trials) 
              [&](TrialRow const& row) { return spec.bodies[row.body].friction ? row.peak_slip_m : never; })
         .add("peak_rotation", Unit("rad").as(shown_unit(spec, "rad")), "largest rotation, up to the fall where it fell",
              [](TrialRow const& row) { return row.peak_rotation_rad; })
+        .add("peak_rotation_ratio", "1", "the same over alpha: response over limit of overturning",
+             [](TrialRow const& row) { return row.peak_rotation_ratio; })
         .add("model", "1", "the model that gave the result", [](TrialRow const& row) { return model_name(row); });
     return table.take();
 }

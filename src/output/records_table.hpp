@@ -13,7 +13,8 @@ namespace overturn::output {
 
 /// The trials of few motions as people read them: a row for each record, body and level of the answer.
 struct RecordSheet {
-    std::vector<std::string> head;  ///< record, body, level, verdict, slip, tilt, model, and nearest limit if any
+    std::vector<std::string> head;  ///< record, body, level, verdict, slip, tilt, the same over alpha, model, and the
+                                    ///< nearest other limit if any
     std::vector<std::vector<std::string>> rows;
     std::string note;  ///< meaning of the verdicts of bodies that stand
 };

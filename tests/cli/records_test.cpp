@@ -3,14 +3,17 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <sstream>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/python.hpp"
+#include "core/outward.hpp"
 #include "core/units.hpp"
 #include "store/results_file.hpp"
 #include "support/command.hpp"
+#include "support/line_width.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -158,10 +161,10 @@ TEST_F(RecordsOnTheLine, DriftAndScaleStandWithTheAnswer) {
     std::string const three = "files=['rests.csv','drifts.csv','r1.csv']\n";
     write_records(2);
     auto const both = answered(three + "scale=2\n", "'300 gal','900 gal'");
-    EXPECT_NE(both.find("caution: 1 of 3 records drifts, 3 are scaled by more than 5, up to 9.0"), std::string::npos)
+    EXPECT_NE(both.find("caution: 2 of 3 records drift, 3 are scaled by more than 5, up to 9.0"), std::string::npos)
         << both;
     auto const drift = answered(three, "'300 gal'");
-    EXPECT_NE(drift.find("caution: 1 of 3 records drifts: "), std::string::npos) << drift;
+    EXPECT_NE(drift.find("caution: 2 of 3 records drift: "), std::string::npos) << drift;
     EXPECT_EQ(answered("files=['rests.csv']\n", "'300 gal'").find("caution:"), std::string::npos);
     auto const scaled = answered("files=['rests.csv']\nscale=2\n", "'900 gal'");
     EXPECT_NE(scaled.find("caution: 1 of 1 record is scaled by more than 5, up to 9.0"), std::string::npos) << scaled;
@@ -214,6 +217,37 @@ TEST_F(RecordsOnTheLine, OfFewEachIsARow) {
     EXPECT_EQ(rows[0].at("record"), "rests.csv");
     EXPECT_EQ(rows[0].at("peak_rotation_rad"), file.reals("trials/peak_rotation")[0]);
     EXPECT_TRUE(rows[0].at("peak_slip_m").is_null()) << "without friction nothing slips";
+}
+
+// a row that does not fit a line goes on below, again behind its record, body and level; the ratio of the tilt
+// to alpha, which is the limit of overturning, is rounded up.
+TEST_F(RecordsOnTheLine, EachRowOfFewNamesItsTrial) {
+    auto text = campaign("files=['rests.csv']\n", "pga", "'0.1 g', '1 g'");
+    text.replace(text.find("[[bodies]]"), 10, "[[bodies]]\nfriction=0.9");
+    text.insert(text.find("[levels]"), "[[bodies]]\nname='the second of the two'\nfriction=0.3\n" + body);
+    folder.write("c.toml",
+                 text + "[[limits]]\nname='leaves-the-pad-to-the-north'\nquantity='peak_slip'\nabove='1 mm'\n");
+    auto const run = overturn(folder, {"run", "c.toml"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    std::istringstream lines(run.out.substr(run.out.find("\n== records\n") + 12));
+    int rows = 0;
+    for (std::string line; std::getline(lines, line) && !line.empty();) {
+        if (line.starts_with("rests.csv")) {
+            ++rows;
+            EXPECT_TRUE(line.find("  b  ") != std::string::npos
+                        || line.find("  the second of the two  ") != std::string::npos)
+                << line;
+            EXPECT_TRUE(line.find(" 0.1 g ") != std::string::npos || line.find(" 1 g ") != std::string::npos) << line;
+        }
+    }
+    EXPECT_EQ(rows, 8) << "two blocks of four trials\n" << run.out;
+    EXPECT_EQ(too_wide(run.out), "");
+    store::ResultsReader const file(folder / "c.h5");
+    for (auto const ratio : file.reals("trials/peak_rotation_ratio")) {
+        EXPECT_TRUE(ratio > 1 || ratio == 0
+                    || run.out.find(fmt::format(" {:.3g}  ", rounded_up(ratio))) != std::string::npos)
+            << ratio << run.out;
+    }
 }
 
 // What fell slid until it fell: no slip of it stands beside those of bodies that stand.
