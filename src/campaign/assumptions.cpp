@@ -96,4 +96,39 @@ std::string text_of(InputTally const& tally) {
         tally.by_default == 1 ? "" : "s");
 }
 
+namespace {
+
+// "bodies[0].friction": "bodies.friction".
+std::string without_places(std::string key) {
+    for (auto at = key.find('['); at != std::string::npos; at = key.find('[')) {
+        auto const end = key.find(']', at);
+        key.erase(at, end == std::string::npos ? end : end + 1 - at);
+    }
+    return key;
+}
+
+}  // namespace
+
+std::string assumed_text(std::span<config::InputValue const> inputs) {
+    constexpr std::size_t room = 100;
+    auto const tally = tally_of(inputs);
+    std::vector<std::string> keys;
+    for (auto const& input : inputs) {
+        auto const key = without_places(input.key);
+        if (input.basis == config::Basis::assumed && std::ranges::find(keys, key) == keys.end()) {
+            keys.push_back(key);
+        }
+    }
+    std::string named;
+    std::size_t shown = 0;
+    for (; shown < keys.size() && (shown == 0 || named.size() + keys[shown].size() <= room); ++shown) {
+        named += (shown == 0 ? "" : ", ") + keys[shown];
+    }
+    if (shown < keys.size()) {
+        named += fmt::format(", {} more", keys.size() - shown);
+    }
+    return fmt::format("{} of {} inputs are assumed{}, {} without a source", tally.assumed, tally.all(),
+                       named.empty() ? "" : " (" + named + ")", tally.not_stated);
+}
+
 }  // namespace overturn

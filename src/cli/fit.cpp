@@ -146,7 +146,8 @@ output::Answered answered_of(Fitted const& all, CampaignSpec const& spec, Statis
             .analysis = all.analysis,
             .confidence = all.confidence,
             .frequencies = all.frequencies,
-            .beta_u_of_campaign = all.beta_u_of_campaign};
+            .beta_u_of_campaign = all.beta_u_of_campaign,
+            .rare = all.rare};
 }
 
 output::Json levels_json(LevelSpec const& levels) {

@@ -253,13 +253,15 @@ int write_report(ReportOptions const& options) {
     add_stated_facts(options, spec, confidence, data);
     add_cover(options, spec, data);
     auto const frequencies = add_frequencies(options.hazard, input, spec, statistics, analysis, confidence, data);
+    auto const rare = spec.rare ? read_rare_estimates(file, spec) : std::vector<RareBody>{};
     output::Answered const answered{.spec = spec,
                                     .statistics = statistics,
                                     .analysis = analysis,
                                     .confidence = confidence,
                                     .frequencies = frequencies,
                                     .beta_u_of_campaign = !options.beta_u,
-                                    .numerical = numerical_error_of(checks)};
+                                    .numerical = numerical_error_of(checks),
+                                    .rare = rare};
     data["answer"] = answer_of(answered);
     auto const records = output::record_sheet(spec, trials_of_few_waves(spec, file));
     data["records"] = {{"head", records.head}, {"rows", records.rows}, {"note", records.note}};

@@ -5,12 +5,15 @@
 #include <numeric>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "campaign/assumptions.hpp"
 #include "campaign/cautions.hpp"
 #include "campaign/typed_units.hpp"
 #include "campaign/validated_range.hpp"
 #include "core/outward.hpp"
+#include "core/text_width.hpp"
+#include "core/wrapped.hpp"
 #include "output/detail/answer_cells.hpp"
 #include "output/detail/answer_parts.hpp"
 #include "output/detail/fit_words.hpp"
@@ -25,10 +28,25 @@ std::string count_text(std::int64_t waves) { return fmt::format("{} wave{}", wav
 
 constexpr double least_slip_m = 1e-4;  // below it a slip is not printed as a number
 
-// What one body needs of rows. Merged: the annual frequency stands behind HCLPF.
-enum class Detail { all, merged, probabilities, overturning };
+// "alpha 0.384 rad (tested: 0.08 to 0.14 rad)": without what stands in brackets.
+std::string without_brackets(std::string text) {
+    for (auto at = text.find(" ("); at != std::string::npos; at = text.find(" (", at)) {
+        auto const end = text.find(')', at);
+        text.erase(at, end == std::string::npos ? end : end + 1 - at);
+    }
+    return text;
+}
 
-bool has_responses(Detail detail) { return detail == Detail::all || detail == Detail::merged; }
+// A row of a body, and the limit state that it is about.
+struct BodyRow {
+    enum class What : std::uint8_t { probability, slip, tilt, capacity, frequency };
+    What what;
+    std::size_t limit = 0;
+
+    [[nodiscard]] bool is_of_levels() const { return what < What::capacity; }
+    friend bool operator==(BodyRow const&, BodyRow const&) = default;
+};
+using What = BodyRow::What;
 
 class SheetMaker {
   public:
@@ -58,11 +76,13 @@ class SheetMaker {
             return no_probability_text(of_) + "; each record has its rows below";
         }
         auto const waves = waves_text(of_.statistics.waves(), of_.spec.source->about().acceptance, of_.confidence);
-        return fmt::format("{}; {:g} % intervals{}", waves.empty() ? count_text(of_.statistics.waves().waves) : waves,
-                           100 * of_.confidence, shows_responses_ ? "; slip and tilt: " + responses_title() : "");
+        return fmt::format("{}; {:g} % intervals{}{}", waves.empty() ? count_text(of_.statistics.waves().waves) : waves,
+                           100 * of_.confidence, shows_rare_ ? "; P by [rare] (95 %)" : "",
+                           shows_responses_ ? "; slip, tilt: " + responses_title() : "");
     }
     [[nodiscard]] std::string responses_title() const {
-        std::string const percentiles = "median / 95th percentile (<= its upper end)";
+        std::string const percentiles = shows_open_ ? "median / 95th percentile (<= upper end; open: too few waves)"
+                                                    : "median / 95th percentile (<= upper end)";
         std::string const ranges = "lowest to highest";
         return !shows_ranges_       ? percentiles
                : shows_percentiles_ ? percentiles + "; of fewer than 20 independent trials " + ranges
@@ -79,36 +99,111 @@ class SheetMaker {
                                               : fmt::format(" = {:.3g} x", value / base->value));
     }
 
-    // Of one body: capacities stand once, all else in each part.
-    [[nodiscard]] std::size_t rows_of(Detail detail) const {
+    // The annual frequency has a row of its own, or stands behind HCLPF.
+    enum class Frequency : std::uint8_t { apart, behind };
+
+    // All rows of a body, the weightiest first.
+    [[nodiscard]] std::vector<BodyRow> all_rows(Frequency frequency) const {
+        std::vector<BodyRow> rows{{What::probability}};
+        if (!are_few_records(of_.spec, of_.statistics.waves().waves)) {  // else each is a row of its own below
+            rows.insert(rows.end(), {{What::slip}, {What::tilt}});
+        }
+        auto const add_capacity = [&](std::size_t limit) {
+            rows.push_back({What::capacity, limit});
+            if (frequency == Frequency::apart && !of_.frequencies.empty()) {
+                rows.push_back({What::frequency, limit});
+            }
+        };
+        add_capacity(0);
         auto const limits = of_.spec.limits.size();
-        constexpr std::size_t responses = 2;
-        auto const capacities = detail == Detail::all && !of_.frequencies.empty() ? 2 * limits : limits;
-        return has_responses(detail) ? parts_ * (limits + responses) + capacities
-                                     : parts_ * (detail == Detail::probabilities ? limits : 1);
+        for (std::size_t limit = 1; limit < limits; ++limit) {
+            rows.push_back({What::probability, limit});
+        }
+        for (std::size_t limit = 1; limit < limits; ++limit) {
+            add_capacity(limit);
+        }
+        return rows;
+    }
+    // Capacities stand once, all else in each part.
+    [[nodiscard]] std::size_t lines_of(BodyRow const& row) const { return row.is_of_levels() ? parts_ : 1; }
+    // As many as so many lines hold, at least P of overturning.
+    [[nodiscard]] std::vector<BodyRow> first_rows(std::vector<BodyRow> rows, std::size_t lines) const {
+        std::size_t taken = 1;
+        std::size_t used = lines_of(rows.front());
+        while (taken < rows.size() && used + lines_of(rows[taken]) <= lines) {
+            used += lines_of(rows[taken++]);
+        }
+        rows.resize(taken);
+        return rows;
     }
 
     void add_rows() {
         auto const bodies = of_.analysis.size();
-        auto detail = Detail::all;
-        for (auto const less : {Detail::merged, Detail::probabilities, Detail::overturning}) {
-            detail = bodies * rows_of(detail) > most_rows_ ? less : detail;
+        auto const room = most_rows_ / bodies;
+        auto all = all_rows(Frequency::apart);
+        auto rows = first_rows(all, room);
+        frequency_behind_ = rows.size() < all.size();
+        if (frequency_behind_) {
+            all = all_rows(Frequency::behind);
+            rows = first_rows(all, room);
         }
-        auto const shown = most_first(std::min(bodies, most_rows_ / rows_of(detail)));
+        auto const shown = most_first(std::min(bodies, std::max<std::size_t>(1, most_rows_ / parts_)));
         for (auto const b : shown) {
-            add_body(b, detail);
+            for (auto const& row : rows) {
+                add_row_of(b, row);
+            }
         }
-        if (shown.size() < bodies) {
-            sheet_.left_out = fmt::format(
-                "{} more bodies, with lower P, and other rows: --section stripes, responses, "
-                "curves",
-                bodies - shown.size());
-        } else if (!has_responses(detail)) {
-            sheet_.left_out = of_.frequencies.empty()
-                                  ? "slip, tilt, HCLPF and other limits: --section stripes, responses, curves"
-                                  : "slip, tilt, HCLPF, frequency, other limits: --section stripes, responses, "
-                                    "curves, frequency";
+        sheet_.left_out = shown.size() < bodies ? fmt::format(
+                              "{} more bodies, with lower P, and other rows: --section stripes, responses, curves",
+                              bodies - shown.size())
+                                                : left_out_text(std::span(all).subspan(rows.size()));
+    }
+
+    // "P(touches), HCLPF of 2 limit states: --section stripes, curves"
+    [[nodiscard]] std::string left_out_text(std::span<BodyRow const> rows) const {
+        std::vector<std::string> what, probabilities, sections;
+        std::size_t capacities = 0;
+        bool responses = false;
+        bool curves = false;
+        for (auto const& row : rows) {
+            auto const& limit = of_.spec.limits[row.limit];
+            switch (row.what) {
+                case What::slip:
+                case What::tilt:
+                    responses = true;
+                    what.emplace_back(row.what == What::slip ? "slip" : "tilt");
+                    break;
+                case What::probability:
+                    probabilities.push_back("P(" + full_name(limit, of_.spec.limits) + ")");
+                    break;
+                default:
+                    curves = true;
+                    capacities += row.limit == 0 ? 0 : 1;
+                    if (row.limit == 0) {
+                        what.emplace_back(of_.frequencies.empty() ? "HCLPF" : "HCLPF and annual frequency");
+                    }
+            }
         }
+        for (auto const& [is_there, section] : {std::pair(!probabilities.empty(), "stripes"),
+                                                {responses, "responses"},
+                                                {curves, "curves"},
+                                                {curves && !of_.frequencies.empty(), "frequency"}}) {
+            if (is_there) {
+                sections.emplace_back(section);
+            }
+        }
+        auto const text_with = [&](std::vector<std::string> const& limits) {
+            auto all = what;
+            all.insert(all.end(), limits.begin(), limits.end());
+            if (capacities > 0) {
+                all.push_back(fmt::format("HCLPF of {} limit state{}", capacities, capacities == 1 ? "" : "s"));
+            }
+            return all.empty() ? std::string()
+                               : fmt::format("{}: --section {}", fmt::join(all, ", "), fmt::join(sections, ", "));
+        };
+        auto const named = text_with(probabilities);
+        return text_width(named) <= line_width ? named
+                                               : text_with({fmt::format("P of {} limit states", probabilities.size())});
     }
 
     // Bodies in their order; where they are too many, those with the highest P.
@@ -135,46 +230,68 @@ class SheetMaker {
         sheet_.rows.push_back(std::move(row));
     }
 
-    void add_body(std::size_t b, Detail detail) {
-        auto const& body = of_.analysis[b];
-        auto const& counted = of_.statistics.bodies()[b];
-        auto const limits = detail == Detail::overturning ? 1 : of_.spec.limits.size();
-        for (std::size_t limit = 0; limit < limits; ++limit) {
-            auto const name = full_name(of_.spec.limits[limit], of_.spec.limits);
-            add_row(limit == 0 ? body.body : "",
-                    too_few_     ? (limit == 0 ? "overturned" : name)
-                    : limit == 0 ? "P(overturn)"
-                                 : "P(" + name + ")",
-                    [&](std::size_t l) {
-                        auto const& stripe = counted.stripes_of(limit)[l];
-                        return too_few_ ? passed_text(stripe) : probability_text(stripe, of_.confidence);
-                    });
-        }
-        if (!has_responses(detail)) {
-            return;
-        }
-        if (!are_few_records(of_.spec, of_.statistics.waves().waves)) {  // else each is a row of its own below
-            add_responses(b);
-        }
-        for (std::size_t limit = 0; limit < limits; ++limit) {
-            add_capacity(body, limit, detail);
+    void add_row_of(std::size_t b, BodyRow const& row) {
+        switch (row.what) {
+            case What::probability:
+                return add_probability(b, row.limit);
+            case What::slip:
+                return add_slip(b);
+            case What::tilt:
+                return add_tilt(b);
+            case What::capacity:
+                return add_capacity(of_.analysis[b], row.limit);
+            case What::frequency:
+                return add_frequency(of_.analysis[b], row.limit);
         }
     }
 
-    // HCLPF, and the annual frequency where there is a hazard curve.
-    void add_capacity(BodyAnalysis const& body, std::size_t limit, Detail detail) {
+    void add_probability(std::size_t b, std::size_t limit) {
+        auto const& counted = of_.statistics.bodies()[b].stripes_of(limit);
+        auto const* const rare = rare_of(b, limit);
+        auto const name = limit == 0 ? std::string() : full_name(of_.spec.limits[limit], of_.spec.limits);
+        add_row(limit == 0 ? of_.analysis[b].body : "",
+                too_few_     ? (limit == 0 ? "overturned" : name)
+                : limit == 0 ? "P(overturn)"
+                             : "P(" + name + ")",
+                [&](std::size_t l) {
+                    return too_few_          ? passed_text(counted[l])
+                           : rare != nullptr ? rare_cell(rare->estimates.at(l), counted[l])
+                                             : probability_text(counted[l], of_.confidence);
+                });
+    }
+
+    [[nodiscard]] RareBody const* rare_of(std::size_t body, std::size_t limit) const {
+        auto const found = std::ranges::find_if(of_.rare, [&](RareBody const& one) {
+            return one.body == body && one.limit == limit && one.estimates.size() == of_.spec.levels.levels.size();
+        });
+        return found == of_.rare.end() ? nullptr : &*found;
+    }
+    // The estimate of rare events; where it is but a bound, that or what plain trials show, whichever says more.
+    [[nodiscard]] std::string rare_cell(rare::Estimate const& estimate, Stripe const& plain) {
+        if (!estimate.probability && plain.decided() > 0
+            && plain.interval(of_.confidence).upper <= estimate.interval_95.upper) {
+            return probability_text(plain, of_.confidence);
+        }
+        shows_rare_ = true;
+        return rare_text(estimate);
+    }
+
+    [[nodiscard]] std::string named(std::string const& what, std::size_t limit) const {
+        return limit == 0 ? what : what + " " + full_name(of_.spec.limits[limit], of_.spec.limits);
+    }
+
+    // HCLPF, and the annual frequency behind it where that has no row of its own.
+    void add_capacity(BodyAnalysis const& body, std::size_t limit) {
         auto const& state = of_.spec.limits[limit];
-        auto const named = [&](std::string const& what) {
-            return limit == 0 ? what : what + " " + full_name(state, of_.spec.limits);
-        };
         auto const& curve = body.curves_of(limit).front();
-        bool const apart = detail == Detail::all;
-        auto const yearly = frequency_text(body.body, state.name, apart);
+        auto const yearly = frequency_behind_ ? frequency_text(body.body, state.name, false) : std::string();
         sheet_.rows.push_back(
-            {"", named("HCLPF"),
-             capacity_text(curve, apart || yearly.empty()) + (apart || yearly.empty() ? "" : "; " + yearly)});
-        if (apart && !yearly.empty()) {
-            sheet_.rows.push_back({"", named("annual frequency"), yearly});
+            {"", named("HCLPF", limit), capacity_text(curve, yearly.empty()) + (yearly.empty() ? "" : "; " + yearly)});
+    }
+    void add_frequency(BodyAnalysis const& body, std::size_t limit) {
+        auto const yearly = frequency_text(body.body, of_.spec.limits[limit].name, true);
+        if (!yearly.empty()) {
+            sheet_.rows.push_back({"", named("annual frequency", limit), yearly});
         }
     }
 
@@ -200,25 +317,30 @@ class SheetMaker {
                            shared.among(of_.statistics.waves().waves));
     }
 
-    void add_responses(std::size_t b) {
+    // \param least what is not printed as a number below it, in `unit`
+    void add_percentiles(std::size_t b, std::string const& name, char const* quantity, double unit, double least) {
         shows_responses_ = true;
         auto const& body = of_.analysis[b];
-        auto const percentiles = [&](char const* quantity, double unit, double least) {
-            return [=, this, &body](std::size_t l) {
-                auto const* const at = quantiles_at(body, quantity, l);
-                if (at != nullptr && !mostly_unknown(*at)) {
-                    (std::isnan(at->quantiles.back().value) ? shows_ranges_ : shows_percentiles_) = true;
-                }
-                return percentiles_text(at, unit, least);
-            };
-        };
+        add_row("", name, [&](std::size_t l) {
+            auto const* const at = quantiles_at(body, quantity, l);
+            if (at != nullptr && !mostly_unknown(*at)) {
+                (std::isnan(at->quantiles.back().value) ? shows_ranges_ : shows_percentiles_) = true;
+            }
+            auto text = percentiles_text(at, unit, least);
+            shows_open_ = shows_open_ || text.ends_with(no_upper_end);
+            return text;
+        });
+    }
+    void add_slip(std::size_t b) {
         auto const slip = typed_units(of_.spec).slip;
-        add_row("", fmt::format("slip [{}]", slip.symbol), percentiles("peak_slip", slip.si, least_slip_m / slip.si));
+        add_percentiles(b, fmt::format("slip [{}]", slip.symbol), "peak_slip", slip.si, least_slip_m / slip.si);
+    }
+    void add_tilt(std::size_t b) {
         // Where alpha is drawn too, the stored ratio is not of one angle.
         bool const drawn = !of_.spec.bodies[b].scattering().empty();
         auto const alpha = of_.spec.bodies[b].body.alpha_rad();
-        add_row("", drawn ? "tilt / alpha" : "tilt [deg]",
-                percentiles("peak_rotation_ratio", drawn ? 1 : pi / 180 / alpha, 0.01));
+        add_percentiles(b, drawn ? "tilt / alpha" : "tilt [deg]", "peak_rotation_ratio", drawn ? 1 : pi / 180 / alpha,
+                        0.01);
     }
 
     void add_numerical_error() {
@@ -244,21 +366,20 @@ class SheetMaker {
         return chaotic == 0 || of_.numerical
                    ? std::string()
                    : fmt::format(
-                       " {} of {} trials were computed on points or a rim: there a smaller time step can "
-                       "change which bodies fall. overturn cost CAMPAIGN.toml measures how much this "
-                       "changes P.",
+                       " {} of {} trials were computed on points or a rim: a smaller time step may change which "
+                       "fall (overturn cost CAMPAIGN.toml: by how much P).",
                        chaotic, all);
     }
 
     // What the numbers rest on.
     [[nodiscard]] std::string dependence() const {
         auto text = fmt::format("Waves: {}. {}.", of_.spec.source->about().variability,
-                                text_of(tally_of(physical_inputs(of_.spec))));
+                                assumed_text(physical_inputs(of_.spec)));
         text += step_text();
         auto const outside = outside_validated_range(of_.spec);
         if (!outside.empty()) {
-            text += fmt::format(" Outside the range of the shaking-table tests: {}{}.", outside.front(),
-                                outside.size() == 1 ? "" : "; for other bodies see overturn plan");
+            text += fmt::format(" Outside the shaking-table tests: {}{}.", without_brackets(outside.front()),
+                                outside.size() == 1 ? "" : "; others: overturn plan");
         }
         return text;
     }
@@ -267,7 +388,9 @@ class SheetMaker {
     std::size_t most_rows_, parts_;
     std::vector<std::size_t> levels_;
     bool too_few_;  // records, for probabilities
-    bool shows_responses_ = false, shows_ranges_ = false, shows_percentiles_ = false;
+    bool frequency_behind_ = false;
+    bool shows_responses_ = false, shows_ranges_ = false, shows_percentiles_ = false, shows_open_ = false;
+    bool shows_rare_ = false;
     AnswerSheet sheet_;
 };
 

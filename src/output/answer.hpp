@@ -10,6 +10,7 @@
 #include "output/table.hpp"
 #include "results/analysis.hpp"
 #include "results/hazard_frequency.hpp"
+#include "results/rare_rows.hpp"
 #include "results/statistics.hpp"
 
 namespace overturn::output {
@@ -35,6 +36,7 @@ struct Answered {
     std::span<BodyFrequency const> frequencies = {};  ///< where there is a hazard curve
     bool beta_u_of_campaign = true;                   ///< else of an option
     std::optional<NumericalError> numerical = {};     ///< where a record of `cost` was given
+    std::span<RareBody const> rare = {};              ///< estimates of [rare], which stand in place of counts
 };
 
 /// The answer as people read it: rows of P of overturning and of every limit state with its interval, median and 95th

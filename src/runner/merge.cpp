@@ -122,7 +122,8 @@ std::string tables_of(BlocksToMerge const& what, Statistics const& statistics, s
                                     .statistics = statistics,
                                     .analysis = analysis,
                                     .confidence = spec.confidence,
-                                    .frequencies = frequencies};
+                                    .frequencies = frequencies,
+                                    .rare = rare};
     return output::results_text({.answered = answered,
                                  .few = few,
                                  .rare = rare,

@@ -64,9 +64,10 @@ struct Made {
         }
         analysis = analyse(spec, statistics, {});
     }
-    [[nodiscard]] std::string text(std::span<BodyFrequency const> frequencies = {}) const {
+    [[nodiscard]] std::string text(std::span<BodyFrequency const> frequencies = {},
+                                   std::span<RareBody const> rare = {}) const {
         return output::answer_text(
-            {.spec = spec, .statistics = statistics, .analysis = analysis, .frequencies = frequencies});
+            {.spec = spec, .statistics = statistics, .analysis = analysis, .frequencies = frequencies, .rare = rare});
     }
     // One for each body and limit state.
     [[nodiscard]] std::vector<BodyFrequency> frequencies() const {
@@ -118,13 +119,122 @@ TEST(Answer, FitsAScreen) {
             for (auto const& line : lines) {
                 EXPECT_LE(line.size(), 100) << line;
             }
-            EXPECT_EQ(answer.find("slip and tilt: median") != std::string::npos,
+            EXPECT_EQ(answer.find("slip, tilt: median") != std::string::npos,
                       answer.find(" slip [mm]") != std::string::npos)
                 << "a heading only of rows that follow\n"
                 << answer;
         }
         EXPECT_EQ(made.text().find("more bodies, with lower P") != std::string::npos, bodies > 12) << made.text();
     }
+}
+
+std::string limits_named(std::vector<std::string> const& names) {
+    std::string text;
+    for (auto const& name : names) {
+        text += "[[limits]]\nname='" + name + "'\nquantity='peak_slip'\nabove='20 mm'\n";
+    }
+    return text;
+}
+
+// two bodies, six limit states and a hazard curve: the room is used, the weightiest rows first, and only what
+// does not fit is named below, by what it is.
+TEST(Answer, UsesTheRoomForTheWeightiestRows) {
+    Made const made(body_named("cask-that-slides") + body_named("cask-that-rocks"),
+                    "design_basis='600 gal'\n"
+                        + limits_named({"touches", "leaves-the-pad", "hits-the-wall", "tips-against", "drifts"}),
+                    {0, 0, 5, 20});
+    auto const frequencies = made.frequencies();
+    auto const lines = lines_of(made.text(frequencies));
+    auto const end = std::ranges::find_if(lines, [](auto const& line) { return line.starts_with("Waves: "); });
+    EXPECT_EQ(end - lines.begin(), 15) << made.text(frequencies);
+    std::vector<std::string> const order{"P(overturn)", "slip [mm]",  "tilt [deg]",
+                                         "HCLPF",       "P(touches)", "P(leaves-the-pad)"};
+    for (std::size_t body = 0; body < 2; ++body) {
+        for (std::size_t row = 0; row < order.size(); ++row) {
+            auto const& line = lines.at(2 + body * order.size() + row);
+            EXPECT_TRUE(line.substr(17).starts_with(order[row])) << line;
+        }
+    }
+    EXPECT_NE(lines.at(5).find("; "), std::string::npos) << "the frequency stands behind HCLPF: " << lines.at(5);
+    EXPECT_EQ(lines.at(14), "P of 3 limit states, HCLPF of 5 limit states: --section stripes, curves, frequency");
+}
+
+// what is left out is named, and nothing where all fits.
+TEST(Answer, NamesWhatItLeavesOut) {
+    auto const note_of = [](int bodies, std::vector<std::string> const& limits) {
+        std::string text;
+        for (int b = 0; b < bodies; ++b) {
+            text += body_named("cask " + std::to_string(b));
+        }
+        auto const all = Made(text, "design_basis='600 gal'\n" + limits_named(limits), {0, 0, 5, 20}).text();
+        auto const at = all.find(": --section ");
+        auto const begin = at == std::string::npos ? at : all.rfind('\n', at) + 1;
+        return at == std::string::npos ? std::string() : all.substr(begin, all.find('\n', at) - begin);
+    };
+    EXPECT_EQ(note_of(1, {"a"}), "");
+    EXPECT_EQ(note_of(2, {"a"}), "");
+    EXPECT_EQ(note_of(1, {"a", "b", "c", "d", "e"}), "HCLPF of 2 limit states: --section curves");
+    EXPECT_EQ(note_of(3, {"a"}), "P(a), HCLPF of 1 limit state: --section stripes, curves");
+    EXPECT_EQ(note_of(4, {}), "HCLPF: --section curves");
+    EXPECT_EQ(note_of(6, {}), "tilt, HCLPF: --section responses, curves");
+    EXPECT_EQ(note_of(6, {"a", "b", "c", "d"}),
+              "tilt, HCLPF, P(a), P(b), P(c), P(d), HCLPF of 4 limit states: --section stripes, responses, curves");
+}
+
+// columns stand below their levels, and a limit state's name is whole where the line has room.
+TEST(Answer, KeepsColumnsAndWholeNames) {
+    Made const made(body_named("cask-that-slides"), "design_basis='600 gal'\n" + limits_named({"leaves-the-pad"}),
+                    {0, 0, 5, 20});
+    auto const lines = lines_of(made.text());
+    auto const head = std::ranges::find_if(lines, [](auto const& line) { return line.starts_with("pga"); });
+    ASSERT_NE(head, lines.end());
+    std::vector<std::size_t> const levels{head->find("600 gal"), head->find("900 gal"), head->find("1200 gal")};
+    int rows = 0;
+    for (auto line = head + 1; line != lines.end() && !line->starts_with("Waves: "); ++line) {
+        if (line->find("HCLPF") == std::string::npos) {
+            ++rows;
+            for (auto const at : levels) {
+                EXPECT_EQ(line->at(at - 1), ' ') << *line;
+                EXPECT_NE(line->at(at), ' ') << *line;
+            }
+        }
+    }
+    EXPECT_EQ(rows, 4);
+    EXPECT_NE(made.text().find("P(leaves-the-pad) "), std::string::npos) << made.text();
+}
+
+// an estimate of rare events stands in place of a count; where it is but a bound, the closer of the two.
+TEST(Answer, HoldsTheEstimateOfRareEvents) {
+    Made const made(body_named("cask"), "design_basis='600 gal'\n", {0, 0, 5, 20});
+    std::vector<rare::Estimate> estimates(made.spec.levels.levels.size());
+    for (auto& estimate : estimates) {
+        estimate.interval_95 = {0, 0.9};
+    }
+    estimates[1].interval_95 = {0, 1.2301e-4};
+    estimates[2].probability = 1.3561e-2;
+    estimates[2].interval_95 = {0.01204, 0.01526};
+    std::vector<RareBody> rare{{0, 0, estimates, {}}};
+    auto const text = made.text({}, rare);
+    EXPECT_NE(text.find("P(overturn) < 0.000124 "), std::string::npos) << text;
+    EXPECT_NE(text.find(" 0.0136 [0.012, 0.0153] "), std::string::npos) << text;
+    EXPECT_NE(text.find(" 0.5 [0.338, 0.662]\n"), std::string::npos) << "plain trials show more\n" << text;
+    EXPECT_NE(text.find("P by [rare] (95 %)"), std::string::npos) << text;
+    EXPECT_EQ(made.text().find("[rare]"), std::string::npos);
+    rare.front().body = 1;
+    EXPECT_EQ(made.text({}, rare).find("[rare]"), std::string::npos) << "of another body";
+}
+
+// what the numbers rest on takes three lines, and names what is assumed.
+TEST(Answer, NamesWhatIsAssumed) {
+    auto const text = Made(body_named("one") + "basis={mass='assumed', friction='assumed: none measured'}\n"
+                               + body_named("two") + "basis={friction='assumed'}\n",
+                           "design_basis='600 gal'\n", {0, 0, 5, 40})
+                          .text();
+    auto const at = text.find("Waves: ");
+    ASSERT_NE(at, std::string::npos);
+    auto const tail = text.substr(at);
+    EXPECT_LE(std::ranges::count(tail, '\n'), 3) << tail;
+    EXPECT_NE(tail.find("inputs are assumed (bodies.mass, bodies.friction)"), std::string::npos) << tail;
 }
 
 // what was found stands there, with the exact interval of 0 of 40 and of 5 of 40 (Clopper and Pearson 1934).
@@ -135,7 +245,7 @@ TEST(Answer, HoldsTheNumbers) {
     auto const text = made.text();
     for (auto const* const part :
          {"600 gal = design", "900 gal = 1.5 x", "1200 gal = 2 x", "< 0.0881 (0 of 40)", "0.125 [0.0418, 0.269]",
-          "> 0.911 (40 of 40)", "P(touches)", "19.5 / 37.1 (no limit)", "fell / fell", "HCLPF"}) {
+          "> 0.911 (40 of 40)", "P(touches)", "19.5 / 37.1 (open)", "fell / fell", "HCLPF"}) {
         EXPECT_NE(text.find(part), std::string::npos) << part << "\n" << text;
     }
     EXPECT_EQ(text.find("300 gal"), std::string::npos) << text;
@@ -264,6 +374,11 @@ TEST(Answer, APercentileOfFewKnownTrialsIsNotKnown) {
     at.unknown = 1;
     EXPECT_EQ(output::percentiles_text(&at, 1e-3, 0.1), "fell / fell");
     EXPECT_EQ(output::percentiles_text(nullptr, 1e-3, 0.1), "not simulated");
+    at.unknown = 0;
+    SampleQuantile small;
+    small.value = 5e-5;
+    at.quantiles = {small, small, small};
+    EXPECT_EQ(output::percentiles_text(&at, 0.0254, 1e-4 / 0.0254), "<0.004 (open)") << "0.00394 in, rounded up";
 }
 
 // few waves have no percentile, and what was seen is printed in its place: from the median, or of fewer than

@@ -8,6 +8,7 @@
 #include "core/outward.hpp"
 #include "output/detail/answer_parts.hpp"
 #include "output/detail/fit_names.hpp"
+#include "output/detail/interval_text.hpp"
 
 namespace overturn::output {
 namespace {
@@ -15,7 +16,7 @@ namespace {
 // "19.1", "1280", "<0.1": three digits, never more letters than a column holds.
 std::string number_text(double value, double least) {
     if (value > 0 && value < least) {
-        return fmt::format("<{:g}", least);
+        return fmt::format("<{:g}", rounded_up(least, 2));  // 0.1 mm is 0.0039 in
     }
     auto const rounded = rounded_up(value);
     constexpr double most = 1e6;
@@ -75,7 +76,7 @@ std::string percentiles_text(LevelQuantiles const* at, double unit, double least
     if (high.value >= at->fallen) {
         return numbers;
     }
-    return numbers + (high.upper ? fmt::format(" (<= {})", text(*high.upper)) : " (no limit)");
+    return numbers + (high.upper ? fmt::format(" (<= {})", text(*high.upper)) : std::string(no_upper_end));
 }
 
 std::string five_percent_text(MeasuredFragility const& curve) {
@@ -136,6 +137,11 @@ std::string probability_text(Stripe const& stripe, double confidence) {
     }
     return fmt::format("{:.3g} [{:.3g}, {:.3g}]", stripe.probability(), rounded_down(ends.lower),
                        rounded_up(ends.upper));
+}
+
+std::string rare_text(rare::Estimate const& estimate) {
+    return estimate.probability ? fmt::format("{:.3g} {}", *estimate.probability, interval_text(estimate.interval_95))
+                                : fmt::format("< {:.3g}", rounded_up(estimate.interval_95.upper));
 }
 
 }  // namespace overturn::output

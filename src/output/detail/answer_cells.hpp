@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "output/answer.hpp"
 
@@ -11,8 +12,15 @@ namespace overturn::output {
 [[nodiscard]] std::string passed_text(Stripe const& stripe);
 
 /// "12.0 / 55.1 (<= 71.3)": median and 95th percentile, and the upper end of that one's interval; "<0.1" where all of
-/// it is below `least`. \param at null: not simulated \param unit of the response, in that of `at`
+/// it is below `least`; "(open)" where there is no such end. \param at null: not simulated \param unit of the response,
+/// in that of `at`
 [[nodiscard]] std::string percentiles_text(LevelQuantiles const* at, double unit, double least);
+
+/// Behind a 95th percentile that too few waves give no upper end.
+inline constexpr std::string_view no_upper_end = " (open)";
+
+/// "0.0136 [0.012, 0.0153]", or "< 1.2e-05" where the estimate is but a bound.
+[[nodiscard]] std::string rare_text(rare::Estimate const& estimate);
 
 /// ">= 510 gal (estimate 540 gal)": the 5 % point, or why there is none.
 [[nodiscard]] std::string five_percent_text(MeasuredFragility const& curve);
