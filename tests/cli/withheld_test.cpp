@@ -2,6 +2,8 @@
 // file can read and fit it, who has the records too can compute it again, and no other record is taken for one of them.
 #include <cmath>
 #include <filesystem>
+#include <regex>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -55,6 +57,11 @@ class Withheld : public ::testing::Test {
     Folder folder;
 };
 
+// Without the records it is not known whether they drift.
+std::string without_cautions(std::string const& text) {
+    return std::regex_replace(text, std::regex("caution: [^\n]*(\n    [^\n]*)*\n?"), "");
+}
+
 TEST_F(Withheld, TheFileHoldsNamesAndHashesAlone) {
     auto const bytes = folder.read("away/c.h5");
     EXPECT_NE(bytes.find("one.csv"), std::string::npos);
@@ -65,8 +72,11 @@ TEST_F(Withheld, TheFileHoldsNamesAndHashesAlone) {
     EXPECT_EQ(there({"status", "c.h5"}).code, 0);
     auto const fit = there({"fit", "c.h5"});
     EXPECT_EQ(fit.code, 0) << fit.err;
-    auto const whole = overturn(folder, {"fit", "whole.h5"}).out;
-    auto const stripes = fit.out.substr(0, fit.out.find("hand"));
+    auto const whole = without_cautions(overturn(folder, {"fit", "whole.h5"}).out);
+    EXPECT_NE(fit.out.find("caution: whether records drift or are scaled by more than 5 is not known here"),
+              std::string::npos)
+        << fit.out;
+    auto const stripes = without_cautions(fit.out.substr(0, fit.out.find("hand")));
     EXPECT_FALSE(stripes.empty());
     EXPECT_EQ(whole.substr(0, whole.find("hand")).substr(0, 500), stripes.substr(0, 500));
 }
@@ -118,12 +128,12 @@ TEST_F(Withheld, ComponentsOfOneStationAreOneSampleStill) {
                      + "]\n[[bodies]]\nfile='body.toml'\n[levels]\nmeasure='pga'\nvalues=['0.3 g', '0.6 g']\n");
     auto const run = overturn(folder, {"run", "peer.toml", "-o", "away/peer.h5"});
     ASSERT_EQ(run.code, 0) << run.err;
-    auto const answer = run.out.substr(0, run.out.find("\nWaves: "));
+    auto const answer = without_cautions(run.out.substr(0, run.out.find("\nWaves: ")));
     EXPECT_NE(answer.find("(0 of 10)"), std::string::npos) << answer;
     EXPECT_NE(answer.find("< 0.522"), std::string::npos) << "of five: 1 - 0.025^(1/5)\n" << answer;
     auto const fit = there({"fit", "peer.h5"});
     EXPECT_EQ(fit.code, 0) << fit.err;
-    EXPECT_NE(fit.out.find(answer), std::string::npos) << fit.out;
+    EXPECT_NE(without_cautions(fit.out).find(answer), std::string::npos) << fit.out;
     EXPECT_EQ(folder.read("away/peer.h5").find("Station 3"), std::string::npos) << "a hash of it alone";
 }
 

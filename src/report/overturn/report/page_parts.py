@@ -52,7 +52,7 @@ def interval(ends, digits=4):
 
 
 UNIT_BEHIND = re.compile(r"(?<=\d) (?=(?!of |to |and |or |at |is )[A-Za-z%°µ²³/·]{1,6}(?:[\s,;:)\]]|$))")  # "600 gal", "1.5 x"
-JOINT = re.compile(r"(?<=\w)([._])(?=[A-Za-z]{3})")  # within "waves.target.stated_damping"
+JOINT = re.compile(r"(?<=\w)([._])(?=[A-Za-z]{5})")  # within "waves.target.stated_damping", not before "csv" or "toml"
 
 
 def unbroken(value):
