@@ -51,15 +51,6 @@ def interval(ends, digits=4):
     return f"{low_of(low, digits, 'open')} – {high_of(high, digits, 'open')}"
 
 
-UNIT_BEHIND = re.compile(r"(?<=\d) (?=(?!of |to |and |or |at |is )[A-Za-z%°µ²³/·]{1,6}(?:[\s,;:)\]]|$))")  # "600 gal", "1.5 x"
-JOINT = re.compile(r"(?<=\w)([._])(?=[A-Za-z]{5})")  # within "waves.target.stated_damping", not before "csv" or "toml"
-
-
-def unbroken(value):
-    """Text of a cell as HTML: a number keeps its unit on its line, and long names break behind a dot or underscore (behind a dash anyway)."""
-    return JOINT.sub(r"\1<wbr>", UNIT_BEHIND.sub("\u00a0", escape(value)))
-
-
 # Columns of text in tables of numbers.
 TEXTS = ("flags", "remark", "kind", "verdict", "limit state", "over", "measure", "at", "ln median per deviation of")
 
@@ -69,7 +60,7 @@ def cell_of(value, across=1, title=""):
     text = str(value)
     looks = " ".join(filter(None, ["short" if len(text) <= MOST_SHORT else "", "text" if title in TEXTS else ""]))
     quoted = f'"{looks}"' if " " in looks else looks
-    return f"<td{f' class={quoted}' if looks else ''}{f' colspan={across}' if across > 1 else ''}>{unbroken(text)}</td>"
+    return f"<td{f' class={quoted}' if looks else ''}{f' colspan={across}' if across > 1 else ''}>{escape(text)}</td>"
 
 
 def row_of(cells, head):
@@ -89,7 +80,7 @@ def scrolled(name, content):
 
 def table(name, head, rows, note="", kind=""):
     """Numbered by the page. kind: "words" of cells that are text, "sortable" of rows whose order may be changed."""
-    cells = "".join(f"<th scope=col{' class=text' if title in TEXTS else ''}>{unbroken(title)}</th>" for title in head)
+    cells = "".join(f"<th scope=col{' class=text' if title in TEXTS else ''}>{escape(title)}</th>" for title in head)
     body = "".join(row_of(list(row), head) for row in rows)
     return (scrolled(name, f'<table class="{kind}"><caption>{NUMBER_OF_TABLE}{escape(name)}</caption><thead><tr>{cells}</tr></thead>'
                            f"<tbody>\n{body}</tbody></table>") + note_of(note) + "\n")
@@ -97,7 +88,7 @@ def table(name, head, rows, note="", kind=""):
 
 def facts(name, rows):
     """What is called how: a table whose rows have headings and whose columns have none."""
-    body = "".join(f"<tr><th scope=row>{escape(what)}</th><td>{unbroken(value)}</td></tr>\n" for what, value in rows)
+    body = "".join(f"<tr><th scope=row>{escape(what)}</th><td>{escape(value)}</td></tr>\n" for what, value in rows)
     return scrolled(name, f'<table class="facts"><caption>{NUMBER_OF_TABLE}{escape(name)}</caption><tbody>\n{body}</tbody></table>') + "\n"
 
 

@@ -36,7 +36,7 @@ th { font-weight: 600; color: var(--quiet); } thead th { vertical-align: bottom;
 th:first-child, td:first-child { text-align: left; padding-left: 0; white-space: nowrap; } tbody tr { border-top: 1px solid var(--faint); }
 :is(.answer, .words, .facts, .signatures) :is(th, td), th.text, td.text { text-align: left; } .answer table { font-size: .92rem; } .short { white-space: nowrap; }
 .answer :is(th, td):nth-child(-n+2) { padding-right: .8rem; } .facts td { overflow-wrap: anywhere; } .facts th { white-space: nowrap; }
-.words .short { white-space: normal; } .words td { min-width: 6rem; overflow-wrap: break-word; } .words td:first-child { white-space: normal; min-width: 8rem; }
+.words .short { white-space: normal; } .words td { min-width: 6rem; overflow-wrap: anywhere; } .words .short { overflow-wrap: break-word; } .words td:first-child { white-space: normal; min-width: 8rem; }
 .signatures { width: 100%; margin: .6rem 0; } .signatures :is(th, td) { border-bottom: 1px solid var(--rule); padding: .5rem .6rem .5rem 0; }
 .signatures thead th { padding-bottom: .1rem; } .signatures tbody th { width: 6rem; } .signatures :is(th, td):nth-child(n+3) { width: 26%; }
 .fold { max-height: 26rem; overflow: auto; border: 1px solid var(--rule); padding: 0 .8rem; margin: .2rem 0 .6rem; } .fold .scroll { overflow: visible; }
@@ -48,7 +48,7 @@ th button::after { content: " \\2195"; opacity: .6; } th[aria-sort=ascending] bu
 .tip { display: none; position: absolute; pointer-events: none; white-space: pre; background: var(--paper); color: var(--ink); border: 1px solid var(--quiet); padding: .2rem .5rem; font-size: .8rem; max-width: 190px; overflow: hidden; }
 .tip.on { border-color: var(--accent); border-width: 2px; }
 @media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; } h1 { font-size: 1.35rem; } .answer { padding: .5rem .6rem; } caption { position: sticky; left: 0; max-width: calc(100vw - 3.4rem); }
-  .answer table { font-size: .8rem; min-width: 33rem; } .answer td { padding: .16rem .4rem; } .answer .short { white-space: normal; } .answer td:first-child { white-space: nowrap; } .words { min-width: 62rem; } .identity div { display: block; margin-bottom: .3rem; } }
+  .answer table { font-size: .8rem; min-width: 33rem; } .answer td { padding: .16rem .4rem; } .answer .short { white-space: normal; } .answer td:first-child { white-space: nowrap; } .words { min-width: 44rem; } .identity div { display: block; margin-bottom: .3rem; } }
 @media print {
   @page { size: A4; margin: 16mm 14mm 18mm; @bottom-left { content: "overturn"; font: 7.5pt sans-serif; color: #595959; }
           @bottom-right { content: counter(page) " / " counter(pages); font: 7.5pt sans-serif; color: #595959; } }
@@ -56,7 +56,7 @@ th button::after { content: " \\2195"; opacity: .6; } th[aria-sort=ascending] bu
   th button { display: contents; } th button::after { content: "" !important; }  /* a box would be blank where a heading is repeated */
   h1, h2, h3, h4, caption { break-after: avoid; } h2 { margin-top: 1.2rem; } p, li { orphans: 3; widows: 3; }
   figure, tr, .identity, .signatures, table:not(:has(tbody tr:nth-child(13))) { break-inside: avoid; }  /* a short table stays whole */
-  .answer { font-size: 9pt; } .answer table { font-size: 8.5pt; } figure svg { min-width: 0; mix-blend-mode: normal; max-height: 108mm; margin: 0 auto; } #bodies figure svg { max-height: 50mm; }
+  .answer { font-size: 9pt; } .answer table { font-size: 8.5pt; } figure svg { min-width: 0; mix-blend-mode: normal; max-height: 100mm; margin: 0 auto; } #bodies figure svg { max-height: 50mm; }
   thead, tbody tr:first-child { break-inside: avoid; break-after: avoid; }
   .scroll, .fold { overflow: visible; background: none; } .fold { max-height: none; border: 0; padding: 0; } pre { margin: 0; font-size: 7.5pt; }
   table { font-size: 7.5pt; } .short { white-space: normal; } th, td { padding: .1rem .3rem; overflow-wrap: break-word; }
