@@ -44,7 +44,6 @@ struct BodyRow {
     std::size_t limit = 0;
 
     [[nodiscard]] bool is_of_levels() const { return what < What::capacity; }
-    friend bool operator==(BodyRow const&, BodyRow const&) = default;
 };
 using What = BodyRow::What;
 
