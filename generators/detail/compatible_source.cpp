@@ -132,8 +132,8 @@ std::string SpectrumCompatible::pgd_drift() const {
     std::uint64_t const waves = seeds_.empty() ? draws : std::min<std::uint64_t>(draws, seeds_.size());
     double share = 0;
     for (std::uint64_t wave = 0; wave < waves; ++wave) {
-        LineStreams const streams{{seed, wave, Purpose::calibration, 0}, {seed, wave, Purpose::calibration, 1}};
-        auto const lines = seeds_.empty() ? noise.draw(streams) : noise.analyse(seeds_[wave].horizontal_mps2);
+        auto const lines = seeds_.empty() ? noise.draw(LineStreams::of_calibration(seed, wave))
+                                          : noise.analyse(seeds_[wave].horizontal_mps2);
         share +=
             slow_share(noise.synthesise(lines, noise.envelope()), time_step_s_, slow_s) / static_cast<double>(waves);
     }

@@ -55,9 +55,8 @@ class ThinnedDraws {
 
     [[nodiscard]] std::vector<double> draw(std::uint64_t wave) const {
         constexpr std::uint64_t seed = 0x0ca11b8a7e;
-        LineStreams const streams{{seed, wave, Purpose::calibration, 0}, {seed, wave, Purpose::calibration, 1}};
         std::vector<double> series(fft_.length());
-        fft_.synthesise(lines_.draw(streams, fft_.length() / 2), series);
+        fft_.synthesise(lines_.draw(LineStreams::of_calibration(seed, wave), fft_.length() / 2), series);
         series.resize(envelope_.size());
         for (std::size_t i = 0; i < series.size(); ++i) {
             series[i] *= envelope_[i];

@@ -88,12 +88,9 @@ class FilteredNoise : public WaveSource {
     [[nodiscard]] GroundMotion motion_of(std::span<double const> normals, std::size_t lines) const {
         std::size_t taken = 0;
         auto const next = [&](std::uint64_t /*component*/) {
-            Lines own(line_amplitude_.size());
-            for (std::size_t k = 1; k <= lines; ++k, taken += 2) {
-                std::complex<double> const z(normals[taken], normals[taken + 1]);
-                own[k] = line_amplitude_[k] * (is_gaussian() ? z * std::sqrt(0.5) : z / std::abs(z));
-            }
-            return own;
+            auto const own = normals.subspan(taken, 2 * lines);
+            taken += own.size();
+            return lines_of_normals(own, line_amplitude_, amplitudes_);
         };
         return made_of(next, {}).motion;
     }
@@ -124,9 +121,7 @@ class FilteredNoise : public WaveSource {
     }
 
     [[nodiscard]] Lines drawn(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) const {
-        return draw_lines({.phases = {seed, wave, Purpose::wave_phase, component},
-                           .amplitudes = {seed, wave, Purpose::wave_amplitude, component}},
-                          line_amplitude_, amplitudes_);
+        return draw_lines(LineStreams::of_wave(seed, wave, component), line_amplitude_, amplitudes_);
     }
 
     [[nodiscard]] std::vector<double> shaped(Lines const& lines, double ratio) const {

@@ -138,30 +138,14 @@ namespace {
 
 constexpr std::size_t together = 8 * simd::words_together;  // lines
 
-// Numbers of a stream above 0 and below 1, one by one.
-class UnitNumbers {
-  public:
-    explicit UnitNumbers(StreamKey const& key) : key_(key) {}
-
-    double next() {
-        for (;;) {
-            if (used_ == words_.size()) {
-                simd::stream_words(key_, counter_, words_);
-                counter_ += words_.size() / 4;
-                used_ = 0;
-            }
-            if (auto const number = static_cast<double>(words_[used_++] >> 11U) * 0x1p-53; number > 0) {
-                return number;
-            }
+// The next number above 0 and below 1, as gsl_rng_uniform_pos has it.
+double next_above_zero(simd::StreamWords& words) {
+    for (;;) {
+        if (auto const number = static_cast<double>(words.next() >> 11U) * 0x1p-53; number > 0) {
+            return number;
         }
     }
-
-  private:
-    StreamKey key_;
-    std::uint64_t counter_ = 0;
-    std::array<std::uint64_t, together> words_{};
-    std::size_t used_ = together;
-};
+}
 
 }  // namespace
 
@@ -172,7 +156,7 @@ void turns_of(std::span<std::uint64_t const> words, std::complex<double>* turns)
 
 Lines draw_lines(LineStreams const& streams, std::span<double const> amplitude, LineAmplitudes kind) {
     Lines lines(amplitude.size());
-    UnitNumbers scatters(streams.amplitudes);
+    simd::StreamWords scatters(streams.amplitudes);
     double const sigma = std::sqrt(0.5);
     std::array<std::uint64_t, together> words;
     std::array<std::complex<double>, together> turns;
@@ -182,10 +166,19 @@ Lines draw_lines(LineStreams const& streams, std::span<double const> amplitude, 
         auto const count = std::min(together, lines.size() - first);
         for (std::size_t i = 0; i < count; ++i) {
             double const scatter =
-                kind == LineAmplitudes::gaussian ? sigma * std::sqrt(-2 * std::log(scatters.next())) : 1.0;
+                kind == LineAmplitudes::gaussian ? sigma * std::sqrt(-2 * std::log(next_above_zero(scatters))) : 1.0;
             double const size = scatter * amplitude[first + i];
             lines[first + i] = {size * turns[i].real(), size * turns[i].imag()};
         }
+    }
+    return lines;
+}
+
+Lines lines_of_normals(std::span<double const> normals, std::span<double const> amplitude, LineAmplitudes kind) {
+    Lines lines(amplitude.size());
+    for (std::size_t k = 1; k <= normals.size() / 2; ++k) {
+        std::complex<double> const z(normals[2 * k - 2], normals[2 * k - 1]);
+        lines[k] = amplitude[k] * (kind == LineAmplitudes::gaussian ? z * std::sqrt(0.5) : z / std::abs(z));
     }
     return lines;
 }

@@ -22,11 +22,24 @@ void turns_of(std::span<std::uint64_t const> words, std::complex<double>* turns)
 
 struct LineStreams {
     StreamKey phases, amplitudes;
+
+    /// Those of a component of a wave.
+    static LineStreams of_wave(std::uint64_t seed, std::uint64_t wave, std::uint64_t component) {
+        return {{seed, wave, Purpose::wave_phase, component}, {seed, wave, Purpose::wave_amplitude, component}};
+    }
+    static LineStreams of_calibration(std::uint64_t seed, std::uint64_t wave) {
+        return {{seed, wave, Purpose::calibration, 0}, {seed, wave, Purpose::calibration, 1}};
+    }
 };
 
 /// Line k, from 1 on, is s amplitude[k] exp(i phi), phi between 0 and 2 pi; gaussian: s has Rayleigh's distribution and
 /// a mean square of 1, fixed: s is 1. Numbers and bits are those of gsl_ran_flat, gsl_ran_rayleigh and std::polar, one
 /// number a line from each stream.
 [[nodiscard]] Lines draw_lines(LineStreams const& streams, std::span<double const> amplitude, LineAmplitudes kind);
+
+/// The lines that pairs of standard normals give, the first pair line 1, distributed as those of draw_lines; 0 behind
+/// the last pair. \pre fewer pairs than amplitudes
+[[nodiscard]] Lines lines_of_normals(std::span<double const> normals, std::span<double const> amplitude,
+                                     LineAmplitudes kind);
 
 }  // namespace overturn

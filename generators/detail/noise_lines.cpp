@@ -68,15 +68,6 @@ NoiseLines::NoiseLines(NoiseInput const& input)
     first_ = std::find_if(amplitude_.begin(), amplitude_.end(), [](double a) { return a > 0; }) - amplitude_.begin();
 }
 
-Lines NoiseLines::from_normals(std::span<double const> normals) const {
-    Lines lines(amplitude_.size());
-    for (std::size_t k = 1; k < lines.size(); ++k) {
-        std::complex<double> const z(normals[2 * k - 2], normals[2 * k - 1]);
-        lines[k] = amplitude_[k] * (is_gaussian() ? z * std::sqrt(0.5) : z / std::abs(z));
-    }
-    return lines;
-}
-
 std::vector<double> NoiseLines::synthesise(Lines const& lines, std::span<double const> envelope) const {
     std::vector<double> series(fft_.length());
     fft_.synthesise(lines, series);

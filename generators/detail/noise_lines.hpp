@@ -37,7 +37,9 @@ class NoiseLines {
     [[nodiscard]] Lines draw(LineStreams const& streams) const { return draw(streams, amplitude_.size()); }
 
     /// The lines that pairs of standard normals give, the first pair line 1: distributed as draw's.
-    [[nodiscard]] Lines from_normals(std::span<double const> normals) const;
+    [[nodiscard]] Lines from_normals(std::span<double const> normals) const {
+        return lines_of_normals(normals, amplitude_, amplitudes_);
+    }
     [[nodiscard]] bool is_gaussian() const { return amplitudes_ == LineAmplitudes::gaussian; }
 
     /// The wave, envelope and baseline included.

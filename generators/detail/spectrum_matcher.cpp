@@ -281,8 +281,7 @@ SpectrumMatcher::Component SpectrumMatcher::matched(Lines lines, Steps const& st
 SpectrumMatcher::Component SpectrumMatcher::make(std::uint64_t seed, std::uint64_t wave, std::uint64_t component,
                                                  Judging judging) const {
     auto const& noise = this->noise();
-    auto lines = noise.draw({.phases = {seed, wave, Purpose::wave_phase, component},
-                             .amplitudes = {seed, wave, Purpose::wave_amplitude, component}});
+    auto lines = noise.draw(LineStreams::of_wave(seed, wave, component));
     if (judging == Judging::least && !iterates()) {
         return {.acceleration_mps2 = noise.synthesise(lines, noise.envelope()), .match = {}, .ratios = {}};
     }

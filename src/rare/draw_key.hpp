@@ -26,7 +26,8 @@ struct DrawKey {
         auto const which = static_cast<std::uint64_t>(phase) << 2 * width | problem;
         return ((which << width | replicate) << width | level) << width | step;
     }
-    [[nodiscard]] RandomStream stream(Purpose purpose) const { return {seed, index, purpose, stage()}; }
+    [[nodiscard]] StreamKey key(Purpose purpose) const { return {seed, index, purpose, stage()}; }
+    [[nodiscard]] RandomStream stream(Purpose purpose) const { return RandomStream(key(purpose)); }
 };
 
 }  // namespace overturn::rare

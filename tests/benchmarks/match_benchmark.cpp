@@ -50,7 +50,7 @@ struct Parts {
     std::vector<double> wave;
 
     Parts() {
-        lines = noise.draw({{1, 1, Purpose::wave_phase}, {1, 1, Purpose::wave_amplitude}});
+        lines = noise.draw(LineStreams::of_wave(1, 1, 0));
         wave = noise.synthesise(lines, noise.envelope());
     }
 };
@@ -58,8 +58,7 @@ struct Parts {
 void draw(benchmark::State& state) {
     Parts const parts;
     for ([[maybe_unused]] auto _ : state) {
-        benchmark::DoNotOptimize(
-            parts.noise.draw({{1, 1, Purpose::wave_phase}, {1, 1, Purpose::wave_amplitude}}).data());
+        benchmark::DoNotOptimize(parts.noise.draw(LineStreams::of_wave(1, 1, 0)).data());
     }
     count(state, static_cast<double>(state.iterations()));
 }

@@ -26,7 +26,7 @@ TEST(LongPeriodStep, ResponsesAtThePeaksMoveAsAsked) {
     LongPeriodStep const step(periods, 0.05, noise);
     double left = 0, asked = 0;
     for (std::uint64_t wave = 0; wave < 8; ++wave) {
-        auto lines = noise.draw({{11, wave, Purpose::wave_phase, 0}, {11, wave, Purpose::wave_amplitude, 0}});
+        auto lines = noise.draw(LineStreams::of_wave(11, wave, 0));
         auto const before = sweep.peaks(noise.synthesise(lines, noise.envelope()));
         std::vector<double> wanted;
         for (double const period : periods) {

@@ -52,7 +52,7 @@ namespace overturn::rare {
 HWY_EXPORT(fill);
 
 void draw_normals(DrawKey const& key, std::span<double> normals) {
-    StreamKey const words{key.seed, key.index, Purpose::rare_normals, key.stage()};
+    auto const words = key.key(Purpose::rare_normals);
     constexpr std::size_t together = 32;  // a multiple of what any machine makes at once
     auto const whole = normals.size() / together * together;
     HWY_DYNAMIC_DISPATCH(fill)(words, 0, normals.data(), whole / 4);

@@ -3,7 +3,6 @@
 #include <limits>
 
 #include "core/error.hpp"
-#include "simd/stream_words.hpp"
 
 namespace overturn {
 namespace {
@@ -14,7 +13,7 @@ __extension__ using Wide = unsigned __int128;
 
 DrawnNumbers::DrawnNumbers(std::uint64_t seed, std::uint64_t wave, Purpose purpose, std::uint64_t index,
                            std::uint64_t count)
-    : key_{seed, wave, purpose, index}, count_(count), scale_(std::numeric_limits<std::uint64_t>::max() / count) {
+    : words_({seed, wave, purpose, index}), count_(count), scale_(std::numeric_limits<std::uint64_t>::max() / count) {
     OVERTURN_EXPECT(count > 0 && count <= std::numeric_limits<std::uint32_t>::max());
 }
 
@@ -22,12 +21,7 @@ DrawnNumbers::DrawnNumbers(std::uint64_t seed, std::uint64_t wave, Purpose purpo
 void DrawnNumbers::draw(std::span<std::uint32_t> numbers) {
     constexpr unsigned half = 64;
     for (std::size_t drawn = 0; drawn < numbers.size();) {
-        if (used_ == words_.size()) {
-            simd::stream_words(key_, next_counter_, words_);
-            next_counter_ += counters;
-            used_ = 0;
-        }
-        auto const bits = words_[used_++];
+        auto const bits = words_.next();
         auto quotient = static_cast<std::uint64_t>(static_cast<Wide>(bits) * count_ >> half);
         quotient += bits - quotient * scale_ >= scale_ ? 1 : 0;
         numbers[drawn] = static_cast<std::uint32_t>(quotient);

@@ -1,12 +1,11 @@
 /// Whole numbers below a bound, many at a time: those that gsl_rng_uniform_int draws one by one from a RandomStream.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 #include <span>
 
 #include "core/random_stream.hpp"
+#include "simd/stream_words.hpp"
 
 namespace overturn {
 
@@ -18,13 +17,8 @@ class DrawnNumbers {
     void draw(std::span<std::uint32_t> numbers);
 
   private:
-    static constexpr std::size_t counters = 32;  // at once; of each come four words
-
-    StreamKey key_;
+    simd::StreamWords words_;
     std::uint64_t count_, scale_;
-    std::uint64_t next_counter_ = 0;
-    std::array<std::uint64_t, 4 * counters> words_{};
-    std::size_t used_ = words_.size();
 };
 
 }  // namespace overturn
