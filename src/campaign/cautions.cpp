@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign/detail/loose_parts.hpp"
+#include "campaign/detail/measured_drifts.hpp"
 #include "campaign/detail/scaled_records.hpp"
 #include "campaign/moves_in_space.hpp"
 #include "campaign/rocking_band.hpp"
@@ -49,10 +50,7 @@ void add_bodies(CampaignSpec const& spec, Lines& lines) {
 
 std::int64_t drifting_records(CampaignSpec const& spec) {
     std::int64_t count = 0;
-    for (std::int64_t wave = 0; wave < spec.wave_count; ++wave) {
-        auto const drift = spec.source->drift(static_cast<std::uint64_t>(wave));
-        count += drift && drift->any_excessive() ? 1 : 0;
-    }
+    each_drift(spec, [&](std::int64_t /*wave*/, Drift const& drift) { count += drift.any_excessive() ? 1 : 0; });
     return count;
 }
 
@@ -67,7 +65,8 @@ void add_records(CampaignSpec const& spec, Lines& lines) {
     try {
         scaled = scaled_records(spec);
     } catch (InputError const&) {
-        lines.emplace_back("whether records drift or are scaled by more than 5 is not known here: they are withheld");
+        lines.push_back(fmt::format(
+            "whether records drift or are scaled by more than {:g} is not known here: they are withheld", most_scaled));
         return;
     }
     auto const of_all = [&](std::int64_t count) {
@@ -78,9 +77,9 @@ void add_records(CampaignSpec const& spec, Lines& lines) {
         text = fmt::format("{} drift{}", of_all(drifting), drifting == 1 ? "s" : "");
     }
     if (scaled.count > 0) {
-        text += fmt::format("{} {} scaled by more than 5, up to {:.3g}",
+        text += fmt::format("{} {} scaled by more than {:g}, up to {:.3g}",
                             text.empty() ? of_all(scaled.count) : fmt::format(", {}", scaled.count),
-                            scaled.count == 1 ? "is" : "are", rounded_up(scaled.most));
+                            scaled.count == 1 ? "is" : "are", most_scaled, rounded_up(scaled.most));
     }
     if (!text.empty()) {
         lines.push_back(text + ": long-period motion, slip and tilt may be theirs (overturn plan names them)");

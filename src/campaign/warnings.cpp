@@ -8,6 +8,7 @@
 
 #include "campaign/detail/kept_of_seeds.hpp"
 #include "campaign/detail/limit_spec.hpp"
+#include "campaign/detail/measured_drifts.hpp"
 #include "campaign/detail/plausible.hpp"
 #include "campaign/detail/scaled_records.hpp"
 #include "campaign/moves_in_space.hpp"
@@ -22,18 +23,6 @@ namespace overturn {
 namespace {
 
 using Lines = std::vector<std::string>;
-
-// Of each wave that was measured.
-template <class Visit> void each_drift(CampaignSpec const& spec, Visit&& visit) {
-    auto const count = spec.source->about().available ? spec.wave_count : 0;
-    for (std::int64_t wave = 0; wave < count; ++wave) {
-        auto const drift = spec.source->drift(wave);
-        if (!drift) {
-            return;
-        }
-        visit(wave, *drift);
-    }
-}
 
 void add_drifts(CampaignSpec const& spec, Lines& lines) {
     std::int64_t count = 0;

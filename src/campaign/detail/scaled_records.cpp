@@ -12,7 +12,6 @@
 namespace overturn {
 namespace {
 
-constexpr double most_scaled = 5;  // what guides on the choice of records mostly allow
 constexpr std::int64_t looked_at = 1000;
 
 /// By which the highest level scales a wave; 0 where nothing of it can be scaled.

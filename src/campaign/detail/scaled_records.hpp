@@ -8,11 +8,13 @@
 
 namespace overturn {
 
+inline constexpr double most_scaled = 5;  ///< what guides on the choice of records mostly allow
+
 /// Scaling of records by the highest level, of the first thousand.
 struct ScaledRecords {
     double most = 0;         ///< the largest factor
     std::int64_t which = 0;  ///< the record with it
-    std::int64_t count = 0;  ///< records that are scaled by more than 5
+    std::int64_t count = 0;  ///< records that are scaled by more than most_scaled
 };
 /// \throws InputError where a record is withheld
 [[nodiscard]] ScaledRecords scaled_records(CampaignSpec const& spec);
