@@ -30,8 +30,12 @@ constexpr std::size_t of_alpha = 0;
 constexpr std::size_t of_p = 1;
 constexpr std::size_t of_pgv = 2;
 
+std::string with_tests(std::string const& text, std::string const& tests, Tested ranges) {
+    return ranges == Tested::stated ? fmt::format("{} ({})", text, tests) : text;
+}
+
 // Shown in the unit that the campaign states; without one, in that of the tests.
-void add_outside(std::vector<std::string>& list, std::size_t place, double least, double most,
+void add_outside(std::vector<std::string>& list, std::size_t place, double least, double most, Tested ranges,
                  std::optional<IntensityUnit> const& stated = {}) {
     auto const& range = tested.at(place);
     if (least >= range.lowest && most <= range.highest) {
@@ -42,28 +46,29 @@ void add_outside(std::vector<std::string>& list, std::size_t place, double least
         return low == high ? fmt::format("{:.3g} {}", unit.of(low), unit.symbol)
                            : fmt::format("{:.3g} to {:.3g} {}", unit.of(low), unit.of(high), unit.symbol);
     };
-    list.push_back(
-        fmt::format("{} {} (tested: {})", range.quantity, text(least, most), text(range.lowest, range.highest)));
+    list.push_back(with_tests(fmt::format("{} {}", range.quantity, text(least, most)),
+                              "tested: " + text(range.lowest, range.highest), ranges));
 }
 
 }  // namespace
 
-std::vector<std::string> outside_validated_range(CampaignSpec const& spec) {
+std::vector<std::string> outside_validated_range(CampaignSpec const& spec, Tested ranges) {
     TextsOf texts;
     auto const angle = typed_unit(spec, Dimension::angle);
     auto const velocity = typed_unit(spec, Dimension::velocity);
     for (auto const& body : spec.bodies) {
         std::vector<std::string> outside;
-        add_outside(outside, of_alpha, body.body.alpha_rad(), body.body.alpha_rad(), angle);
-        add_outside(outside, of_p, body.body.p_radps(), body.body.p_radps());
+        add_outside(outside, of_alpha, body.body.alpha_rad(), body.body.alpha_rad(), ranges, angle);
+        add_outside(outside, of_p, body.body.p_radps(), body.body.p_radps(), ranges);
         if (spec.levels.measure == measure_named("pgv")) {
-            add_outside(outside, of_pgv, spec.levels.levels.front().value, spec.levels.levels.back().value, velocity);
+            add_outside(outside, of_pgv, spec.levels.levels.front().value, spec.levels.levels.back().value, ranges,
+                        velocity);
         }
         if (body.friction) {
-            outside.emplace_back("friction (no test measured it)");
+            outside.push_back(with_tests("friction", "no test measured it", ranges));
         }
         if (body.footing.stated) {
-            outside.emplace_back("base and pad (tested: blocks of uneven base, as two corners)");
+            outside.push_back(with_tests("base and pad", "tested: blocks of uneven base, as two corners", ranges));
         }
         texts.add(fmt::format("{}", fmt::join(outside, ", ")), body.name);
     }

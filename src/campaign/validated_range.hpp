@@ -9,11 +9,15 @@
 
 namespace overturn {
 
+/// Whether what was tested stands behind each quantity: "alpha 0.577 rad (tested: 0.08 to 0.14 rad)".
+enum class Tested { stated, left_out };
+
 /// Bodies outside of the range of 245 tests of two granite blocks on a shaking table (doi 10.26443/seismica.v3i1.692;
 /// tests/validation/experiments): one component, no base that was measured to be flat, friction unknown. "type-a,
 /// type-b: alpha 0.577 rad (tested: 0.08 to 0.14 rad), ...": bodies that leave the range in the same way together.
 /// Angles and velocities in the units that the campaign states. Empty: all are inside.
-[[nodiscard]] std::vector<std::string> outside_validated_range(CampaignSpec const& spec);
+[[nodiscard]] std::vector<std::string> outside_validated_range(CampaignSpec const& spec,
+                                                               Tested ranges = Tested::stated);
 
 /// One line: what was tested, and which bodies lie outside in what.
 /// \param most of such groups of bodies; further ones are counted

@@ -182,7 +182,6 @@ Json answer_of(output::Answered const& of) {
             {"head", sheet.head},
             {"rows", sheet.rows},
             {"left_out", sheet.left_out},
-            {"cautions", output::cautions_of(of)},
             {"depends", sheet.dependence}};
 }
 

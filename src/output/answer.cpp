@@ -8,7 +8,6 @@
 #include <fmt/ranges.h>
 
 #include "campaign/assumptions.hpp"
-#include "campaign/cautions.hpp"
 #include "campaign/typed_units.hpp"
 #include "campaign/validated_range.hpp"
 #include "core/outward.hpp"
@@ -27,15 +26,6 @@ namespace {
 std::string count_text(std::int64_t waves) { return fmt::format("{} wave{}", waves, waves == 1 ? "" : "s"); }
 
 constexpr double least_slip_m = 1e-4;  // below it a slip is not printed as a number
-
-// "alpha 0.384 rad (tested: 0.08 to 0.14 rad)": without what stands in brackets.
-std::string without_brackets(std::string text) {
-    for (auto at = text.find(" ("); at != std::string::npos; at = text.find(" (", at)) {
-        auto const end = text.find(')', at);
-        text.erase(at, end == std::string::npos ? end : end + 1 - at);
-    }
-    return text;
-}
 
 // A row of a body, and the limit state that it is about.
 struct BodyRow {
@@ -375,9 +365,9 @@ class SheetMaker {
         auto text = fmt::format("Waves: {}. {}.", of_.spec.source->about().variability,
                                 assumed_text(physical_inputs(of_.spec)));
         text += step_text();
-        auto const outside = outside_validated_range(of_.spec);
+        auto const outside = outside_validated_range(of_.spec, Tested::left_out);
         if (!outside.empty()) {
-            text += fmt::format(" Outside the shaking-table tests: {}{}.", without_brackets(outside.front()),
+            text += fmt::format(" Outside the shaking-table tests: {}{}.", outside.front(),
                                 outside.size() == 1 ? "" : "; others: overturn plan");
         }
         return text;
@@ -431,14 +421,6 @@ std::string no_probability_text(Answered const& of) {
 
 AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows, std::size_t parts) {
     return of.spec.is_grid() || of.analysis.empty() ? AnswerSheet{} : SheetMaker(of, most_rows, parts).sheet();
-}
-
-std::vector<std::string> cautions_of(Answered const& of) {
-    auto lines = overturn::cautions_of(of.spec);
-    for (auto& line : lines) {
-        line += '.';
-    }
-    return lines;
 }
 
 }  // namespace overturn::output

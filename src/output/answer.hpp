@@ -53,9 +53,6 @@ struct AnswerSheet {
 /// left out \param parts in which the levels are shown one below the other: each repeats the rows
 [[nodiscard]] AnswerSheet answer_sheet(Answered const& of, std::size_t most_rows, std::size_t parts = 1);
 
-/// Warnings that change how the answer may be read (cautions_of), each a sentence.
-[[nodiscard]] std::vector<std::string> cautions_of(Answered const& of);
-
 /// The same for the terminal: at most 15 lines of at most 100 columns, then cautions and what the numbers depend on.
 [[nodiscard]] std::string answer_text(Answered const& of);
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/cautions.hpp"
 #include "campaign/limit_state.hpp"
 #include "core/text_width.hpp"
 #include "core/wrapped.hpp"
@@ -107,8 +108,8 @@ struct Widths {
 
 std::string cautions_text(Answered const& of) {
     std::string text;
-    for (auto const& caution : cautions_of(of)) {
-        text += wrapped("caution: " + caution, 4);
+    for (auto const& caution : cautions_of(of.spec)) {
+        text += wrapped("caution: " + caution + '.', 4);
     }
     return text;
 }

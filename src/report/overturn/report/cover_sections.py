@@ -24,7 +24,7 @@ def signatures(report):
 
 def cover(report):
     answer = answer_table(report.data["answer"]) or paragraphs(report.data["headlines"])  # of a grid: no probabilities
-    answer += paragraphs(report.data["answer"]["cautions"], " class=warning")
+    answer += paragraphs([f"{line}." for line in report.fit["cautions"]], " class=warning")
     records = report.data["records"]
     if records["rows"]:
         answer += table("each recorded motion", records["head"], records["rows"], records["note"])
