@@ -10,6 +10,7 @@
 #include "campaign/typed_units.hpp"
 #include "core/error.hpp"
 #include "core/outward.hpp"
+#include "output/verified_text.hpp"
 #include "results/few_waves.hpp"
 
 namespace overturn::output {
@@ -80,9 +81,8 @@ std::string circumstances(Json const& record, std::string const& maker) {
 CheckRow verification(Json const& record, std::string const& maker) {
     bool const passed = record.at("passed").get<bool>();
     auto const rows = [&](char const* key) {
-        auto const all = record.value(std::string("stored_") + key, std::int64_t{0});  // not in older records
-        auto const some = count_at(record, key);
-        return some < all ? fmt::format("{} of {}", some, all) : fmt::format("{}", some);
+        return share_of(count_at(record, key),
+                        record.value(std::string("stored_") + key, std::int64_t{0}));  // not in older records
     };
     auto result = fmt::format("{} trials and {} waves recomputed", rows("trials"), rows("waves"));
     result += count_at(record, "rare") > 0 ? fmt::format(", {} rows of rare events", rows("rare")) : "";

@@ -24,12 +24,12 @@ namespace {
 constexpr double degrees_per_rad = 180 / pi;
 
 // "0.0213", "12.5", "1070": three digits, and all of them before the point.
-std::string number_or_dash(double value) {
-    constexpr double thousand = 1000;
-    return std::isnan(value)             ? std::string("-")
-           : std::abs(value) >= thousand ? fmt::format("{:.0f}", value)
-                                         : fmt::format("{:.3g}", value);
+std::string number_text(double value) {
+    constexpr double hundred = 100;
+    return std::abs(value) < hundred ? fmt::format("{:.3g}", value) : fmt::format("{:.0f}", value);
 }
+
+std::string number_or_dash(double value) { return std::isnan(value) ? std::string("-") : number_text(value); }
 
 // A signed response says how far it is from its limit: its nearness is the exponential of the metres beyond.
 std::string nearness_text(LimitState const& limit, double nearness, IntensityUnit const& unit) {
@@ -37,10 +37,7 @@ std::string nearness_text(LimitState const& limit, double nearness, IntensityUni
         return fmt::format("{:.3g} of", nearness);
     }
     auto const beyond = unit.of(std::log(nearness));
-    constexpr double hundred = 100;
-    auto const number =
-        std::abs(beyond) < hundred ? fmt::format("{:.3g}", std::abs(beyond)) : fmt::format("{:.0f}", std::abs(beyond));
-    return fmt::format("{} {} {}", number, unit.symbol, beyond > 0 ? "beyond" : "to");
+    return fmt::format("{} {} {}", number_text(std::abs(beyond)), unit.symbol, beyond > 0 ? "beyond" : "to");
 }
 
 // "1.3 of slides", "398 mm to touches": the limit that the response came nearest to. Of limits that only some models'

@@ -16,10 +16,6 @@
 namespace overturn::output {
 namespace {
 
-std::string share_of(std::int64_t some, std::int64_t all) {
-    return some < all ? fmt::format("{} of {}", some, all) : fmt::format("{}", some);
-}
-
 std::string counted(Json const& record) {
     auto const of = [&](char const* rows) {
         return share_of(record.at(rows).get<std::int64_t>(),
@@ -50,6 +46,10 @@ std::string listed(Json const& json, char const* key) {
 }
 
 }  // namespace
+
+std::string share_of(std::int64_t some, std::int64_t all) {
+    return some < all ? fmt::format("{} of {}", some, all) : fmt::format("{}", some);
+}
 
 Json verified_json(Verification const& of, store::ResultsReader const& file, CampaignSpec const& spec,
                    Verified const& found) {

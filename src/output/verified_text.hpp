@@ -22,6 +22,9 @@ struct Verification {
     int ranks = 1;
 };
 
+/// "7 of 200"; all of them: "200".
+[[nodiscard]] std::string share_of(std::int64_t some, std::int64_t all);
+
 [[nodiscard]] Json verified_json(Verification const& of, store::ResultsReader const& file, CampaignSpec const& spec,
                                  Verified const& found);
 
