@@ -145,8 +145,7 @@ std::string rare_text(CampaignSpec const& spec, RareForecast const& rare) {
 
 // All that the text says, in SI.
 int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& drawn, double calibration_s,
-                    std::optional<HazardCurve> const& hazard, PlanOptions const& options) {
-    auto const limit_s = limit_of(options);
+                    std::optional<HazardCurve> const& hazard, PlanOptions const& options, double limit_s) {
     auto const plan = drawn.without_refusals();
     Json json{{"title", spec.title},
               {"waves", plan.waves()},
@@ -276,7 +275,7 @@ int plan_campaign(PlanOptions const& options) {
     Plan const plan(spec);
     auto const hazard = stated_hazard(input, spec.levels);  // refused before anything is printed
     if (options.json) {
-        return print_plan_json(input, spec, plan, calibration_s, hazard, options);
+        return print_plan_json(input, spec, plan, calibration_s, hazard, options, limit_s);
     }
     fmt::print("{}\n", spec.title.empty() ? path : spec.title);
     print_scene(input, spec, plan.without_refusals(), hazard, options);

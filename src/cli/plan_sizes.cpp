@@ -9,6 +9,7 @@
 #include "results/measured_trials.hpp"
 #include "results/schema.hpp"
 #include "results/statistics.hpp"
+#include "store/results_file.hpp"
 #include "store/shards.hpp"
 
 namespace overturn::cli {
@@ -19,8 +20,6 @@ std::string count_of_folders(std::int64_t blocks) {
     return folders == 1 ? std::string("one folder") : fmt::format("{} folders", folders);
 }
 
-// Columns of fewer rows are not compressed.
-constexpr std::int64_t least_packed_trials = 16384;
 // Of the rows of quickstart 6.3, of others 5.6: src/store/README.md.
 constexpr double times_smaller = 6;
 
@@ -31,7 +30,7 @@ std::string bytes_text(double bytes) {
 
 std::optional<double> packed_bytes(CampaignInput const& input, CampaignSpec const& spec, Plan const& plan) {
     auto const all = static_cast<double>(file_bytes(input, spec, plan));
-    return plan.trials() > least_packed_trials ? std::optional(all / times_smaller) : std::nullopt;
+    return plan.trials() > store::rows_of_a_chunk ? std::optional(all / times_smaller) : std::nullopt;
 }
 
 std::int64_t waves_of_curves(Plan const& plan) {

@@ -23,10 +23,13 @@ inline constexpr std::int64_t format_version = 5;
 inline constexpr char const* no_text = "(none)";       ///< the name of an empty text
 inline constexpr std::int64_t oldest_format_read = 3;  ///< earlier files are read by the program that made them
 
+/// Of a packed column; one of no more rows lies as in a plain file.
+inline constexpr std::int64_t rows_of_a_chunk = 1 << 14U;
+
 /// How the columns of long tables lie in the file. Their content, and its digest, is the same.
 enum class Layout {
     plain,  ///< as they are in memory
-    packed  ///< deflated in chunks of 16384 rows, their bytes shuffled before: of long columns a sixth
+    packed  ///< deflated in chunks of rows_of_a_chunk, their bytes shuffled before: of long columns a sixth
 };
 
 /// A column is a field of rows; a group of them is appended row by row.

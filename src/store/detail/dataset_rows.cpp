@@ -1,5 +1,7 @@
 #include "store/detail/dataset_rows.hpp"
 
+#include "store/results_file.hpp"
+
 namespace overturn::store {
 
 PropertyList dataset_properties() {

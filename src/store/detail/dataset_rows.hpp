@@ -11,9 +11,6 @@ namespace overturn::store {
 /// Identical content gives identical bytes: no object times, default library version, storage allocated when created.
 [[nodiscard]] PropertyList dataset_properties();
 
-/// Of a packed column.
-inline constexpr std::int64_t rows_of_a_chunk = 1 << 14U;
-
 /// Lays a column of more than one chunk out in chunks, shuffled and deflated; a shorter one stays as it is.
 /// \param access keeps the one chunk in memory that is being filled
 void pack(PropertyList const& made, PropertyList const& access, hsize_t rows);
