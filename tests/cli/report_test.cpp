@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <set>
 #include <string>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -72,15 +71,6 @@ TEST_F(Report, IsOnePageThatNeedsNoNetwork) {
 }
 
 // Its sentences are the program's, in one place with those of the terminal.
-/// A page in which a number and its unit may stand on two lines, too.
-std::string breakable(std::string page) {
-    constexpr std::string_view together = "\u00a0";
-    for (auto at = page.find(together); at != std::string::npos; at = page.find(together, at)) {
-        page.replace(at, together.size(), " ");
-    }
-    return page;
-}
-
 TEST_F(Report, HoldsNoSentenceOfItsOwn) {
     auto const sentences_in = [](std::string const& place) {
         auto const ended = execute(*folder, {OVERTURN_PYTHON, "-B", OVERTURN_SENTENCES_SCRIPT, place});
@@ -169,7 +159,7 @@ TEST_F(Report, ShowsAnnualFrequenciesByAHazardCurve) {
     auto const fitted = nlohmann::ordered_json::parse(
         overturn(*folder, {"fit", "c.h5", "--hazard", "hz.csv", "--beta-u", "0.3", "--json"}).out);
     expect_rows(folder->read("f/frequency.csv"), fitted.at("frequency").get<std::vector<nlohmann::ordered_json>>());
-    auto const page = breakable(folder->read("f.html"));
+    auto const page = folder->read("f.html");
     EXPECT_NE(page.find("<section id=\"frequency\">"), std::string::npos);
     EXPECT_LT(page.find(" times a year (95 %: "), page.find("<nav>")) << "a headline";
     // It has a row of its own, and the columns of all levels: no number is broken.
@@ -238,7 +228,7 @@ TEST_F(Report, GivesTheSafeEndOfLowPointsFirst) {
         auto const row = ordered.at(table).at(0).dump();
         EXPECT_LT(row.find("\"hclpf_lower\""), row.find("\"hclpf\"")) << table;
     }
-    auto const page = breakable(folder->read("many.html"));
+    auto const page = folder->read("many.html");
     auto const gal = [](nlohmann::json const& mps2) {
         return fmt::format("{:g} gal", std::floor(100 * mps2.get<double>()));
     };
