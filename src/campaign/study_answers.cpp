@@ -30,6 +30,8 @@ void check_word(std::string const& text, std::vector<std::string> const& words) 
              config::suggestion(text, words));
 }
 
+constexpr double largest_friction = 1e3;
+
 bool is_quantity(std::string const& text, Dimension dimension) {
     try {
         double number = 0;
@@ -65,6 +67,12 @@ void check_restitution(std::string const& text) {
     }
 }
 
+void check_pallet_friction(std::string const& text) {
+    if (text != "fastened") {
+        check_number(text, 0, largest_friction, "from 0, or fastened");
+    }
+}
+
 void check_target(std::string const& text) {
     auto const published = config::names_of(named_targets());
     std::error_code error;
@@ -80,21 +88,37 @@ void check_file(std::string const& text) {
 
 void take_as_it_is(std::string const& /*text*/) {}
 
+bool of_pallet(StudyAnswers const& answers) { return answers.has_pallet(); }
+bool of_one_block(StudyAnswers const& answers) { return !answers.has_pallet(); }
 bool of_spectrum(StudyAnswers const& answers) { return answers.spectrum.has_value(); }
 bool of_spectrum_file(StudyAnswers const& answers) { return answers.has_spectrum_file(); }
 bool of_records(StudyAnswers const& answers) { return answers.records.has_value(); }
 bool without_spectrum(StudyAnswers const& answers) { return !answers.spectrum; }
-bool of_site(StudyAnswers const& answers) { return answers.has_site(); }
+bool of_site(StudyAnswers const& answers) { return answers.has_site() && !answers.has_pallet(); }
 
-constexpr double largest_friction = 1e3;
 constexpr double least_beta_u = std::numeric_limits<double>::min(), largest_beta_u = 5;
+
+constexpr char const* without_pallet = "used only with --pallet-mass";
 
 using Answers = StudyAnswers;
 constexpr std::array questions{
-    StudyQuestion{"--mass", "'117 t'", "mass of the body: the cask and the pallet under it", &Answers::mass,
-                  check_quantity<Dimension::mass>, true},
-    StudyQuestion{"--centre-height", "'2.6 m'", "height of its centre of gravity above the ground",
-                  &Answers::centre_height, check_quantity<Dimension::length>, true},
+    StudyQuestion{"--mass", "'117 t'", "mass of the cask; without --pallet-mass that of the cask and what is under it",
+                  &Answers::mass, check_quantity<Dimension::mass>, true},
+    StudyQuestion{"--pallet-mass", "'21 t'",
+                  "mass of the pallet or foot under the cask; without it --mass is one block of uniform density",
+                  &Answers::pallet_mass, check_quantity<Dimension::mass>},
+    StudyQuestion{"--pallet-height", "'0.35 m'", "height of the pallet", &Answers::pallet_height,
+                  check_quantity<Dimension::length>, true, of_pallet, without_pallet},
+    StudyQuestion{"--cask-diameter", "'2.5 m'", "diameter of the cask on the pallet", &Answers::cask_diameter,
+                  check_quantity<Dimension::length>, true, of_pallet, without_pallet},
+    StudyQuestion{"--cask-height", "'5.4 m'", "height of the cask alone", &Answers::cask_height,
+                  check_quantity<Dimension::length>, true, of_pallet, without_pallet},
+    StudyQuestion{"--pallet-friction", "0.3|fastened",
+                  "coefficient of friction between cask and pallet, or fastened; without it unknown",
+                  &Answers::pallet_friction, check_pallet_friction, false, of_pallet, without_pallet},
+    StudyQuestion{"--centre-height", "'2.6 m'", "height of the centre of gravity above the ground",
+                  &Answers::centre_height, check_quantity<Dimension::length>, true, of_one_block,
+                  "it follows from cask and pallet, which are given; or give the --mass of both, and no --pallet-mass"},
     StudyQuestion{"--base-width", "'3.4 m'", "width or diameter of the base: of the cask, its feet or the pallet",
                   &Answers::base_width, check_quantity<Dimension::length>, true},
     StudyQuestion{"--base-shape", "square|round", "outline of the base; without it square, on its corners",
@@ -116,7 +140,8 @@ constexpr std::array questions{
     StudyQuestion{"--edge", "'2 m'", "distance to the edge of the pad, in all directions", &Answers::edge,
                   check_quantity<Dimension::length>},
     StudyQuestion{"--height", "'5.2 m'", "full height of the cask above the ground", &Answers::height,
-                  check_quantity<Dimension::length>, false, of_site, "used only with --gap, --wall or --edge"},
+                  check_quantity<Dimension::length>, false, of_site,
+                  "used only with --gap, --wall or --edge, and without --pallet-mass"},
     StudyQuestion{"--spectrum", "NAME|FILE", "target spectrum: a published one (overturn list targets) or a file",
                   &Answers::spectrum, check_target},
     StudyQuestion{"--spectrum-kind", "KIND",

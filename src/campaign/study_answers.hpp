@@ -11,7 +11,8 @@
 namespace overturn {
 
 struct StudyAnswers {
-    std::optional<std::string> mass, centre_height, base_width, base_shape, friction, restitution, pad_strength;
+    std::optional<std::string> mass, pallet_mass, pallet_height, pallet_friction, cask_diameter, cask_height;
+    std::optional<std::string> centre_height, base_width, base_shape, friction, restitution, pad_strength;
     std::optional<std::string> gap, wall, edge, height;
     std::optional<std::string> spectrum, spectrum_kind, spectrum_unit, components, duration, acceptance;
     std::optional<std::string> records, record_unit, baseline;
@@ -21,6 +22,8 @@ struct StudyAnswers {
 
     /// Is the spectrum a file, and no published one?
     [[nodiscard]] bool has_spectrum_file() const;
+    /// Are cask and pallet stated apart?
+    [[nodiscard]] bool has_pallet() const { return pallet_mass.has_value(); }
     /// Is anything round the cask stated?
     [[nodiscard]] bool has_site() const { return gap || wall || edge; }
     /// Dimension of the design basis: acceleration or velocity.

@@ -105,8 +105,10 @@ std::string asked_beside(StudyAnswers const& a) {
 void write_head(StudyText& out, std::string const& name, StudyAnswers const& a) {
     auto const results = std::filesystem::path(name).replace_extension(".h5").string();
     auto const page = std::filesystem::path(name).replace_extension(".html").string();
-    out.line(fmt::format("# Question: how likely is a cask of {} on a base of {} to overturn{} at {} and beyond?",
-                         *a.mass, *a.base_width, asked_beside(a), *a.design_basis));
+    auto const under = a.has_pallet() ? fmt::format("a pallet of {} and {}", *a.pallet_mass, *a.base_width)
+                                      : fmt::format("a base of {}", *a.base_width);
+    out.line(fmt::format("# Question: how likely is a cask of {} on {} to overturn{} at {} and beyond?", *a.mass, under,
+                         asked_beside(a), *a.design_basis));
     out.line("#");
     std::string command = "overturn new " + as_argument(name);
     for (auto const& question : study_questions()) {
@@ -224,15 +226,43 @@ void write_records(StudyText& out, StudyAnswers const& a) {
     out.end();
 }
 
+void write_cask_and_pallet(StudyText& out, StudyAnswers const& a) {
+    out.begin("[[bodies.parts]]  # the cask, of uniform density");
+    out.state("kind", quoted("cylinder"));
+    out.state("mass", quoted(*a.mass));
+    out.state("diameter", quoted(*a.cask_diameter));
+    out.state("height", quoted(*a.cask_height));
+    out.state("bottom", quoted(*a.pallet_height));
+    if (a.pallet_friction == "fastened") {
+        out.state("fastened", "true");
+    } else if (a.pallet_friction) {
+        out.state("friction", as_value(*a.pallet_friction));
+    } else {
+        out.leave_out("friction", "0.3", "cask and pallet move as one body, because --pallet-friction was not given");
+    }
+    out.end();
+    bool const round = a.base_shape == "round";
+    out.begin("[[bodies.parts]]  # the pallet, of uniform density");
+    out.state("kind", quoted(round ? "cylinder" : "box"));
+    out.state("mass", quoted(*a.pallet_mass));
+    out.state(round ? "diameter" : "width", quoted(*a.base_width));
+    out.state("height", quoted(*a.pallet_height));
+    out.end();
+}
+
 void write_body(StudyText& out, StudyAnswers const& a, char const* name, char const* assumed_friction) {
     out.begin("[[bodies]]");
     out.state("name", quoted(name));
-    out.state("mass", quoted(*a.mass));
-    out.state("centre_height", quoted(*a.centre_height));
+    if (!a.has_pallet()) {
+        out.state("mass", quoted(*a.mass));
+        out.state("centre_height", quoted(*a.centre_height));
+    }
     out.state("base_width", quoted(*a.base_width));
-    out.assume("inertia", "\"uniform-block\"",
-               "all of this mass is one rigid body of uniform density, because neither inertia nor parts were given: a "
-               "cask on a pallet is taken as fastened to it");
+    if (!a.has_pallet()) {
+        out.assume("inertia", "\"uniform-block\"",
+                   "all of this mass is one rigid body of uniform density, because neither inertia nor parts were "
+                   "given: a cask on a pallet is taken as fastened to it");
+    }
     a.friction ? out.state("friction", as_value(*a.friction))
                : out.assume("friction", assumed_friction,
                             "two bodies with friction 0.2 and 0.8, because none was given: steel on concrete lies "
@@ -251,6 +281,9 @@ void write_body(StudyText& out, StudyAnswers const& a, char const* name, char co
         ? out.state("pad", fmt::format("{{strength = {}}}", quoted(*a.pad_strength)))
         : out.leave_out("pad", "{strength = \"30 MPa\"}", "a pad that is not crushed, because no strength was given");
     out.end();
+    if (a.has_pallet()) {
+        write_cask_and_pallet(out, a);
+    }
 }
 
 void write_levels(StudyText& out, StudyAnswers const& a) {
@@ -282,9 +315,12 @@ void write_site(StudyText& out, StudyAnswers const& a) {
     write("cask", a.gap, "no other cask");
     write("wall", a.wall, "no wall");
     write("edge", a.edge, "no edge of the pad");
-    a.height ? out.state("height", quoted(*a.height))
-             : out.leave_out("height", "\"5.2 m\"",
-                             "twice the height of the centre of gravity, because no full height was given");
+    if (a.height) {
+        out.state("height", quoted(*a.height));
+    } else if (!a.has_pallet()) {  // else that of the parts
+        out.leave_out("height", "\"5.2 m\"",
+                      "twice the height of the centre of gravity, because no full height was given");
+    }
     out.end();
 }
 

@@ -170,6 +170,50 @@ TEST_F(New, TheQuestionIsOfWhatWasGiven) {
         << text;
 }
 
+// a pallet under the cask is a part of its own: plan then says whether the cask leaves it first.
+TEST_F(New, CaskAndPalletAreParts) {
+    auto const pallet = [&](Arguments const& more) {
+        return joined({"--mass",          "117 t",    "--pallet-mass",  "21 t",    "--pallet-height", "35 cm",
+                       "--cask-diameter", "2.5 m",    "--cask-height",  "5.4 m",   "--base-width",    "3.4 m",
+                       "--spectrum",      "mlit-ch1", "--design-basis", "600 gal", "--count",         "2",
+                       "--friction",      "0.8"},
+                      more);
+    };
+    auto const planned = [&](Arguments const& more) {
+        EXPECT_EQ(overturn(folder, joined({"new", "s.toml", "--force"}, pallet(more))).code, 0);
+        auto const plan = overturn(folder, {"plan", "s.toml", "--json"});
+        EXPECT_EQ(plan.code, 0) << plan.err << folder.read("s.toml");
+        auto const read = json::parse(plan.out);
+        expect_assumptions_listed(read["assumptions"]);
+        return read;
+    };
+    auto const warns = [](json const& plan) {
+        return plan["warnings"].dump().find("part 1 tips") != std::string::npos;
+    };
+    auto const loose = planned({"--gap", "0.8 m"});
+    EXPECT_TRUE(warns(loose)) << loose["warnings"];
+    auto const text = folder.read("s.toml");
+    EXPECT_NE(text.find("cask of 117 t on a pallet of 21 t and 3.4 m to overturn"), std::string::npos) << text;
+    EXPECT_NE(text.find("because --pallet-friction was not given\n# friction = 0.3\n"), std::string::npos) << text;
+    auto const& body = loose["bodies"][0];
+    EXPECT_NEAR(body["mass_kg"].get<double>(), 138e3, 1e-6);
+    EXPECT_NEAR(std::tan(body["alpha_rad"].get<double>()), 1.7 * 138 / (117 * (0.35 + 2.7) + 21 * 0.175),
+                1e-12);  // of the common centre of gravity
+    EXPECT_FALSE(warns(planned({"--pallet-friction", "fastened", "--base-shape", "round"})));
+    EXPECT_NE(folder.read("s.toml").find("kind = \"cylinder\"\nmass = \"21 t\"\ndiameter = \"3.4 m\"\n"),
+              std::string::npos);
+    EXPECT_TRUE(warns(planned({"--pallet-friction", "0.9"})));
+    EXPECT_NE(folder.read("s.toml").find("\nfriction = 0.9\n\n[[bodies.parts]]"), std::string::npos);
+
+    expect_refused(pallet({"--centre-height", "2.6 m"}), "--centre-height '2.6 m' (it follows from cask and pallet");
+    expect_refused(pallet({"--pallet-friction", "loose"}),
+                   "--pallet-friction 'loose' (must be a number from 0, or fastened)");
+    expect_refused({"--mass", "117 t", "--pallet-height", "35 cm"},
+                   "--pallet-height '35 cm' (used only with --pallet-mass)");
+    expect_refused({"--pallet-mass", "21 t", "--mass", "1 t"},
+                   "--pallet-height, --cask-diameter, --cask-height, --base-width,");
+}
+
 // Names that would end a text, a comment or a shell's word; files beside another folder.
 TEST_F(New, FilesAreNamedFromTheCampaign) {
     std::string const hostile = "it's \"mine\" \\ $(x).csv";
@@ -355,7 +399,7 @@ TEST_F(New, LosesNoFile) {
 // At a terminal it asks for what is not stated, again after a wrong answer, and gives up where input ends.
 TEST_F(New, AsksAtATerminal) {
     folder.write("answers",
-                 "117 stone\n'117 t'\n2.6 m\n\n3.4 m\nround\n\n\n\n0.8 m\n\n\n\nmlit-ch1\n1\n\n\n\n0.6 g\n\n");
+                 "117 stone\n'117 t'\n\n2.6 m\n\n3.4 m\nround\n\n\n\n0.8 m\n\n\n\nmlit-ch1\n1\n\n\n\n0.6 g\n\n");
     auto const shell = [&](std::string const& input, std::string const& name) {
         return execute(folder, {"/bin/sh", "-c",
                                 std::string(OVERTURN_PYTHON " " OVERTURN_AT_TERMINAL " " OVERTURN_PROGRAM " new ")
@@ -377,7 +421,7 @@ TEST_F(New, AsksAtATerminal) {
     EXPECT_EQ(folder.read("asked.toml"), as_asked);
 
     // Neither a spectrum nor records: the question about the spectrum comes again.
-    folder.write("back", "117 t\n2.6 m\n3.4 m\nround\n\n\n\n0.8 m\n\n\n\n\n\nmlit-ch1\n1\n\n\n0.6 g\n\n\n");
+    folder.write("back", "117 t\n\n2.6 m\n3.4 m\nround\n\n\n\n0.8 m\n\n\n\n\n\nmlit-ch1\n1\n\n\n0.6 g\n\n\n");
     auto const led_back = shell("back", "back.toml");
     ASSERT_EQ(led_back.code, 0) << led_back.out << led_back.err;
     EXPECT_NE(led_back.out.find("or Enter to state a target spectrum"), std::string::npos) << led_back.out;
