@@ -98,7 +98,8 @@ void SpectrumCompatible::prepare(ShareRows const& share) const {
 std::string SpectrumCompatible::variability() const {
     auto const* const phases = seeds_.empty() ? "random phases" : "records' phases";
     if (variability_) {
-        return fmt::format("targets drawn, {}; {}", variability_->describe(), phases);
+        return fmt::format("every wave is matched to a drawn target spectrum ({}); {}", variability_->describe(),
+                           phases);
     }
     switch (match_) {
         case Match::each:

@@ -125,7 +125,8 @@ std::string assumed_text(std::span<config::InputValue const> inputs) {
         named += (shown == 0 ? "" : ", ") + keys[shown];
     }
     if (shown < keys.size()) {
-        named += fmt::format(", {} more", keys.size() - shown);
+        auto const left = keys.size() - shown;
+        named += fmt::format(", {} more key{}", left, left == 1 ? "" : "s");
     }
     return fmt::format("{} of {} inputs are assumed{}, {} without a source", tally.assumed, tally.all(),
                        named.empty() ? "" : " (" + named + ")", tally.not_stated);

@@ -32,7 +32,7 @@ struct InputTally {
 [[nodiscard]] bool is_beta_u_assumed(CampaignSpec const& spec);
 /// "12 of 30 inputs are assumed, 9 published, 0 measured, 2 not stated, 7 defaults of this program"
 [[nodiscard]] std::string text_of(InputTally const& tally);
-/// "3 of 26 inputs are assumed (bodies.inertia, levels.design_basis, 1 more), 4 without a source": the keys, of all
+/// "3 of 26 inputs are assumed (bodies.inertia, levels.design_basis, 1 more key), 4 without a source": the keys, of all
 /// bodies together, as far as a line holds them.
 [[nodiscard]] std::string assumed_text(std::span<config::InputValue const> inputs);
 

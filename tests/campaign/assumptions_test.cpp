@@ -63,6 +63,21 @@ TEST(Assumptions, AreCountedByWhereValuesComeFrom) {
               "12 of 30 inputs are assumed, 9 published, 0 measured, 2 without a source, 7 defaults of this program");
 }
 
+// Keys that find no room are counted as keys: the first number counts inputs of all bodies.
+TEST(Assumptions, KeysWithoutRoomAreCounted) {
+    std::vector<config::InputValue> inputs(7);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        inputs[i].key = fmt::format("bodies[{}].{}", i % 2, std::string(40, static_cast<char>('a' + i / 2)));
+        inputs[i].basis = config::Basis::assumed;
+    }
+    auto const key = [](char name) { return "bodies." + std::string(40, name); };
+    EXPECT_EQ(assumed_text(inputs), "7 of 7 inputs are assumed (" + key('a') + ", " + key('b') + ", 2 more keys), 0 "
+                                                                                                 "without a source");
+    inputs.resize(6);
+    EXPECT_EQ(assumed_text(inputs), "6 of 6 inputs are assumed (" + key('a') + ", " + key('b') + ", 1 more key), 0 "
+                                                                                                 "without a source");
+}
+
 // All that the answer rests on is an input: surroundings, levels, limits, rules for waves, and what is left out if the
 // campaign says that this is assumed. What things are called, and how much is computed, is none.
 TEST(Assumptions, InputsAreWhatTheAnswerRestsOn) {

@@ -57,15 +57,18 @@ struct WholeBody {
 struct LooseJoint {
     Joint joint;
     double parts_at = 0;  // over gravity
+    bool first = false;   // before the whole body moves
 };
 
+// A body that slides takes no more of the ground's acceleration than its friction: what parts above that stays whole.
 std::vector<LooseJoint> loose_joints(BodySpec const& spec) {
     WholeBody const whole(spec);
     std::vector<LooseJoint> loose;
     for (auto const& joint : joints_of(spec.parts)) {
         double const parts_at = on_slope(joint.parts_at(), spec.body.slope_rad());
-        if (!joint.fastened && parts_at < whole.moves_at) {
-            loose.push_back({joint, parts_at});
+        bool const first = parts_at < whole.moves_at;
+        if (!joint.fastened && (first || !whole.slides)) {
+            loose.push_back({joint, parts_at, first});
         }
     }
     return loose;
@@ -78,7 +81,10 @@ std::vector<std::string> loose_parts(BodySpec const& spec) {
     auto const& mass = spec.units.mass;
     auto const& length = spec.units.length;
     std::vector<std::string> lines;
-    for (auto const& [joint, parts_at] : loose_joints(spec)) {
+    for (auto const& [joint, parts_at, first] : loose_joints(spec)) {
+        if (!first) {
+            continue;
+        }
         lines.push_back(fmt::format(
             "{} on the part below at {:.3g} g, before the whole body {} at {:.3g} g (all parts are computed as one "
             "body). State fastened = true if no motion is possible there; else add a body of the parts above: mass "
@@ -98,11 +104,16 @@ std::vector<std::string> loose_parts(BodySpec const& spec) {
 
 std::vector<std::string> loose_parts_in_short(BodySpec const& spec, std::optional<double> reached_mps2) {
     std::vector<std::string> lines;
-    for (auto const& [joint, parts_at] : loose_joints(spec)) {
+    for (auto const& [joint, parts_at, first] : loose_joints(spec)) {
         if (!reached_mps2 || parts_at * spec.body.gravity_mps2() < *reached_mps2) {
-            lines.push_back(fmt::format("{} on the part below at {:.3g} g: these numbers hold only if {} fastened",
-                                        moving(joint), rounded_down(parts_at),
-                                        joint.parts.size() > 1 ? "they are" : "it is"));
+            auto const at = rounded_down(parts_at);
+            lines.push_back(
+                (first ? fmt::format("{} on the part below at {:.3g} g", moving(joint), at)
+                       : fmt::format("whether {} on the part below as the body rocks was not checked (at rest: at "
+                                     "{:.3g} g)",
+                                     moving(joint), at))
+                + fmt::format(": these numbers hold only if {} fastened",
+                              joint.parts.size() > 1 ? "they are" : "it is"));
         }
     }
     for (auto const place : without_joint(spec.parts)) {
