@@ -163,7 +163,7 @@ bool LimitJudge::reads_extra() const { return !extra_.empty(); }
 
 // NaN where it is unknown.
 double LimitJudge::value_of(std::size_t limit, TrialRow const& row, std::span<std::byte const> extra) const {
-    auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
+    auto const missed = static_cast<EffectMask>(row.required) & ~static_cast<EffectMask>(row.effects);
     if (columns_[limit] != nullptr) {
         bool const answered = (missed & limits_[limit].quantity.needs) == 0;
         return answered ? value_at(bytes_of(row), *columns_[limit]) : never;

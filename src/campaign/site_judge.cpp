@@ -59,7 +59,7 @@ double largest_tilt(double side, TrialRow const& row, RigidBody const& body) {
 double followed_until_s(TrialRow const& row) {
     constexpr double always = std::numeric_limits<double>::infinity();
     constexpr auto needed = mask_of(Effect::sliding) | mask_of(Effect::spatial);
-    auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
+    auto const missed = static_cast<EffectMask>(row.required) & ~static_cast<EffectMask>(row.effects);
     if ((missed & needed) != 0) {
         return -always;
     }

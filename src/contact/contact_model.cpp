@@ -117,7 +117,7 @@ class ContactModel : public Model {
         }
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             batch.outcomes[i] = outcomes[i];
-            batch.outcomes[i].called = mask_of(Effect::contact);
+            batch.outcomes[i].required = mask_of(Effect::contact);
             if (!batch.extra.empty()) {
                 fill_match(matched[i].match, outcomes[i].extra);
                 constexpr std::size_t row = sizeof(ContactQuantities);

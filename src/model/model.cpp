@@ -22,7 +22,7 @@ bool ModelTraits::computes(std::string_view quantity, bool common) const {
 EffectMask Model::possible(Trial const& /*trial*/) const { return traits().brings(); }
 
 Requirement Model::required_of(Trial const& /*trial*/, Outcome const* earlier) const {
-    return {earlier == nullptr ? 0 : traits().brings() & static_cast<EffectMask>(earlier->called)};
+    return {earlier == nullptr ? 0 : traits().brings() & static_cast<EffectMask>(earlier->required)};
 }
 
 }  // namespace overturn

@@ -64,7 +64,8 @@ template <> Fields const& fields_of<Outcome>() {
         field<&O::response_velocity_mps>(
             "v_resp", "m/s",
             "response velocity of the peak rotation: at most V_Ereq in the plane, more over a corner in space"),
-        field<&O::called>("effects_called", "1", "bit mask of the required effects, as found by the monitors").always(),
+        field<&O::required>("effects_called", "1", "bit mask of the required effects, as found by the monitors")
+            .always(),
         field<&O::steps>("steps", "1", "number of evaluated Taylor series")};
     return fields;
 }

@@ -28,7 +28,7 @@ struct Outcome {
     double contact_lost_s = never;
     double peak_slip_m = 0, residual_slip_m = 0, friction_work_jpkg = 0;
     double response_velocity_mps = 0;
-    std::int64_t called = 0;  ///< EffectMask of those that would act, whether they were simulated or not
+    std::int64_t required = 0;  ///< EffectMask of those that would act, whether they were simulated or not
     std::int64_t steps = 0;
 };
 

@@ -19,7 +19,7 @@ struct Trial {
     Excitation excitation;             ///< all that shakes, whether it is simulated or not
     EffectMask simulated = 0;
     /// Effects that another model will take over: a model that leaves one out may end where it begins to act, and says
-    /// so in Outcome::called.
+    /// so in Outcome::required.
     EffectMask handled_later = 0;
 };
 

@@ -85,7 +85,8 @@ Table response_table(std::string const& body, std::span<ResponseBin const> bins)
 Table limit_table(CampaignSpec const& spec) {
     TableOf<LimitState> table({.name = "limit_states", .group = "limit_states"}, spec.limits);
     table.add("name", "1", "limit state", [](LimitState const& limit) { return limit.name; })
-        .add("said", "1", "name in printed lines; with \"without overturning\" if overturning alone does not count",
+        .add("full_name", "1",
+             "name in printed lines; with \"without overturning\" if overturning alone does not count",
              [&](LimitState const& limit) { return full_name(limit, spec.limits); })
         .add("definition", "1", "condition that a trial must meet to exceed the limit",
              [&](LimitState const& limit) { return definition_of(limit, spec.limits); })

@@ -98,7 +98,7 @@ std::string moved_text(OneResponse const& of, ShownVelocity const& unit) {
     return text
            + entry("effects",
                    fmt::format("{} (required: {}); {}", names_of_effects(static_cast<EffectMask>(r.effects)),
-                               names_of_effects(static_cast<EffectMask>(r.called)), summary_of_reason(r.reason)));
+                               names_of_effects(static_cast<EffectMask>(r.required)), summary_of_reason(r.reason)));
 }
 
 // What the model that answered knows besides.
@@ -123,7 +123,7 @@ Json json_of(OneResponse const& of) {
         json[field.key()] = value_json(bytes_of(response), field);
     }
     json["effects"] = effect_names(response.effects);
-    json["effects_called"] = effect_names(response.called);
+    json["effects_called"] = effect_names(response.required);
     json["overturned"] = entry_of(response.verdict).fell;
     auto stated = stated_of(fields_of<Response>(), bytes_of(response), spec.units);
     stated["v_ereq"] = stated_json(spec.body.limit_velocity_mps(), spec.units.velocity);

@@ -53,7 +53,7 @@ Json replay_json(ReplayedTrial const& of) {
         columns[field.key()] = value_json(bytes_of(row), field);
     }
     columns["effects"] = effect_names(row.effects);
-    columns["effects_called"] = effect_names(row.called);
+    columns["effects_called"] = effect_names(row.required);
     ModelSelector const selector(of.spec.effects, of.spec.accuracy);
     std::span<std::byte const> const own(of.trial.extra);
     for (auto const& [traits, offset] : selector.extra_parts()) {

@@ -88,7 +88,7 @@ void add_ends(TableOf<AtLevel>& table, CampaignSpec const& spec, BodyStatistics 
              [&body](AtLevel const& row) { return body.peaked_after_record[row.level]; });
     for (std::size_t e = 0; e < effects().size(); ++e) {
         table.add(fmt::format("{}_called", effects()[e].name), "1", "trials that require this effect, simulated or not",
-                  [&body, e](AtLevel const& row) { return body.called[e][row.level]; });
+                  [&body, e](AtLevel const& row) { return body.required[e][row.level]; });
     }
 }
 

@@ -33,12 +33,12 @@ std::vector<std::size_t> shown_ends(BodyStatistics const& s) {
     return shown;
 }
 
-// Effects that trials called for and that were not simulated.
+// Effects that trials required and that were not simulated.
 std::string left_out(CampaignSpec const& spec, BodySpec const& body, BodyStatistics const& s) {
     std::string text;
     auto const wanted = spec.effects.wanted();
     for (std::size_t e = 0; e < effects().size(); ++e) {
-        auto const trials = std::accumulate(s.called[e].begin(), s.called[e].end(), std::int64_t{0});
+        auto const trials = std::accumulate(s.required[e].begin(), s.required[e].end(), std::int64_t{0});
         auto const effect = effects()[e].value;
         if (s.left_out[e] > 0) {
             text += fmt::format(

@@ -29,18 +29,18 @@ class Stopwatch {
 
 }  // namespace
 
-// Where a trial stands between the models: what it may need, what has been called for, and which model takes it next.
+// Where a trial stands between the models: what it may need, what has been required, and which model takes it next.
 struct ModelSelector::TrialState {
     Trial trial;
-    EffectMask possible = 0, called = 0;
+    EffectMask possible = 0, required = 0;
     Outcome outcome;
     std::size_t next = none, last = none;             ///< model
     std::size_t batch = none, place = 0;              ///< the one it was in last, and where
     std::uint64_t ran = 0;                            ///< a bit for each model that followed it
-    std::array<std::int64_t, most_models> reasons{};  ///< of each: why it was called for first; none: not yet
+    std::array<std::int64_t, most_models> reasons{};  ///< of each: why it was required first; none: not yet
 
     void call(std::size_t model, Requirement const& more) {
-        called |= more.effects;
+        required |= more.effects;
         if (more.effects != 0 && reasons[model] == no_reason) {
             reasons[model] = more.reason;
         }
@@ -112,7 +112,7 @@ ModelSelector::TrialState ModelSelector::begin(SceneTrial const& at) const {
     }
     bool const chooses = request_.mode == EffectMode::automatic;
     trial.simulated = supported_with(
-        0, state.possible & request_.wanted() & (chooses ? state.called | request_.include : ~EffectMask{0}));
+        0, state.possible & request_.wanted() & (chooses ? state.required | request_.include : ~EffectMask{0}));
     if (out_of_range(trial.excitation, trial.simulated)) {
         state.outcome = unknown_outcome(FailureReason::out_of_range);
     } else {
@@ -126,14 +126,14 @@ void ModelSelector::go_on(std::size_t model, TrialState& state) const {
     state.last = model;
     state.next = none;
     state.ran |= state.followed() ? std::uint64_t{1} << model : 0;
-    state.called |= static_cast<EffectMask>(state.outcome.called);
+    state.required |= static_cast<EffectMask>(state.outcome.required);
     for (auto dearer = model + 1; dearer < models_.size(); ++dearer) {
         state.call(dearer, models_[dearer]->required_of(state.trial, &state.outcome));
     }
     if (request_.mode != EffectMode::automatic) {
         return;
     }
-    state.trial.simulated = supported_with(state.trial.simulated, state.called & state.possible);
+    state.trial.simulated = supported_with(state.trial.simulated, state.required & state.possible);
     if (!holds_all(models_[model]->traits().holds, state.trial.simulated)) {
         state.next = cheapest(state.trial.simulated);
     }
@@ -187,7 +187,7 @@ void ModelSelector::run(std::size_t model, std::size_t from, std::vector<TrialSt
 // What was chosen, is possible, and is held by no model beside what was simulated.
 EffectMask ModelSelector::left_out(TrialState const& state) const {
     return request_.mode == EffectMode::automatic
-               ? (state.called | request_.include) & state.possible & ~state.trial.simulated
+               ? (state.required | request_.include) & state.possible & ~state.trial.simulated
                : 0;
 }
 
@@ -220,7 +220,7 @@ std::int64_t ModelSelector::reason_of(TrialState const& state) const {
 Response ModelSelector::conclude(TrialState const& state) const {
     Response response;
     static_cast<Outcome&>(response) = state.outcome;
-    response.called = state.called;
+    response.required = state.required;
     if (state.last != none) {
         auto const& traits = models_[state.last]->traits();
         response.effects = state.trial.simulated | traits.always;

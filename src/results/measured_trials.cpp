@@ -50,7 +50,7 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
     trial.moved = verdict.moved;
     trial.slipped = row.peak_slip_m > 0;
     trial.uplifted = verdict.fell || row.peak_rotation_ratio > 0;
-    auto const missed = static_cast<EffectMask>(row.called) & ~static_cast<EffectMask>(row.effects);
+    auto const missed = static_cast<EffectMask>(row.required) & ~static_cast<EffectMask>(row.effects);
     trial.peak_slip_m = verdict.decided && !has(missed, Effect::sliding) ? row.peak_slip_m : never;
     trial.peak_rotation_ratio = verdict.decided ? row.peak_rotation_ratio : never;
     if (verdict.fell) {

@@ -51,7 +51,7 @@ Statistics::Statistics(CampaignSpec const& spec, TrialsHeld held)
         statistics.ou_v_e.resize(statistics.stripes.size());
         auto const levels = statistics.stripes.size();
         statistics.ends.assign(verdicts().size(), std::vector<std::int64_t>(levels));
-        statistics.called.assign(effects().size(), std::vector<std::int64_t>(levels));
+        statistics.required.assign(effects().size(), std::vector<std::int64_t>(levels));
         statistics.left_out.resize(effects().size());
         statistics.fell_after_record.resize(levels);
         statistics.peaked_after_record.resize(levels);
@@ -126,7 +126,7 @@ template <class Self, class Visit> void Statistics::each_count(Self& self, Visit
         predictions(body.v_wes);
         predictions(body.ou_v_e);
         std::ranges::for_each(body.ends, all);
-        std::ranges::for_each(body.called, all);
+        std::ranges::for_each(body.required, all);
         all(body.left_out);
         all(body.fell_after_record);
         all(body.peaked_after_record);
@@ -164,10 +164,10 @@ void Statistics::add(TrialRow const& row, std::span<std::byte const> extra) {
     ++stripe.trials;
     ++body.ends[&end - verdicts().data()][level];
     for (std::size_t e = 0; e < effects().size(); ++e) {
-        bool const called = has(static_cast<EffectMask>(row.called), effects()[e].value);
+        bool const required = has(static_cast<EffectMask>(row.required), effects()[e].value);
         bool const simulated = has(static_cast<EffectMask>(row.effects), effects()[e].value);
-        body.called[e][level] += called ? 1 : 0;
-        body.left_out[e] += called && !simulated && row.reason == left_out_reason ? 1 : 0;
+        body.required[e][level] += required ? 1 : 0;
+        body.left_out[e] += required && !simulated && row.reason == left_out_reason ? 1 : 0;
     }
     count_after_record(row, body);
     if (row.verdict == Verdict::failed) {

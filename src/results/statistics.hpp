@@ -34,9 +34,9 @@ struct BodyStatistics {
     std::vector<Stripe> stripes;          ///< of overturning
     std::vector<LimitStatistics> limits;  ///< of the campaign's others, in its order from place 1
     std::vector<Confusion> v_wes, ou_v_e;
-    std::vector<std::vector<std::int64_t>> ends;    ///< trials per verdict, in the order of verdicts(), and level
-    std::vector<std::vector<std::int64_t>> called;  ///< trials per effect, in the order of effects(), and level
-    std::vector<std::int64_t> left_out;  ///< trials per effect that no model holds beside the others called for
+    std::vector<std::vector<std::int64_t>> ends;      ///< trials per verdict, in the order of verdicts(), and level
+    std::vector<std::vector<std::int64_t>> required;  ///< trials per effect, in the order of effects(), and level
+    std::vector<std::int64_t> left_out;  ///< trials per effect that no model holds beside the others required
     /// Trials per level that still rocked when the record ended: they fell, or rose to their peak, only after it. Those
     /// that rocked on below an earlier peak are not known from rows.
     std::vector<std::int64_t> fell_after_record, peaked_after_record;

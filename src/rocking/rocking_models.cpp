@@ -61,13 +61,13 @@ void fill_landing(RockingOutcome const& rocking, RigidBody const& body, Outcome&
 }
 
 // What the kernel does not know: the body behind the block.
-void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask called, Outcome& outcome) {
+void conclude(RockingOutcome const& rocking, Trial const& trial, EffectMask required, Outcome& outcome) {
     outcome = static_cast<Outcome const&>(rocking);
     outcome.peak_rotation_ratio = rocking.peak_reach_rad / trial.body->alpha_rad();
     outcome.friction_work_jpkg = rocking.energy.friction_work;
     outcome.peak_impact_velocity_mps = 2 * trial.body->half_width_m() * rocking.impact_spin_radps;
     outcome.response_velocity_mps = response_velocity(*trial.body, rocking.peak_rotation_rad, rocking.peak_side);
-    outcome.called = called;
+    outcome.required = required;
     fill_landing(rocking, *trial.body, outcome);
 }
 
@@ -93,7 +93,7 @@ RigidQuantities quantities_of(RockingOutcome const& rocking, RigidBody const& bo
                               bool slips) {
     RigidQuantities all;
     all.rotation_at_peak_rad = std::copysign(rocking.peak_rotation_rad, rocking.peak_side);
-    bool const unfollowed = !slips && has(static_cast<EffectMask>(outcome.called), Effect::sliding);
+    bool const unfollowed = !slips && has(static_cast<EffectMask>(outcome.required), Effect::sliding);
     if (unfollowed || !std::isnan(outcome.contact_lost_s) || outcome.verdict == Verdict::contact_lost
         || outcome.verdict == Verdict::failed) {
         return all;
@@ -242,9 +242,9 @@ class SlidingModel : public Model {
                                      ? resume_sliding(rocking, accuracy_, *checkpoint)
                                      : simulate_rocking(rocking.block, rocking.shaking, accuracy_, rocking.start,
                                                         shown ? &*shown : nullptr, Slip::simulated);
-            bool const asked = has(static_cast<EffectMask>(batch.outcomes[i].called), Effect::sliding);
-            bool const called = asked || outcome.peak_slip_m > 0;
-            conclude(outcome, trial, called ? mask_of(Effect::sliding) : 0, batch.outcomes[i]);
+            bool const asked = has(static_cast<EffectMask>(batch.outcomes[i].required), Effect::sliding);
+            bool const required = asked || outcome.peak_slip_m > 0;
+            conclude(outcome, trial, required ? mask_of(Effect::sliding) : 0, batch.outcomes[i]);
             put_quantities(batch, i, quantities_of(outcome, *trial.body, batch.outcomes[i], true));
         }
         return nullptr;

@@ -25,7 +25,7 @@ template <> [[nodiscard]] Fields const& fields_of<RigidQuantities>();
 [[nodiscard]] ModelTraits const& sliding_traits();
 
 /// Rocking without slip. A trial whose friction gives out ends there where sliding is taken over, and is followed as if
-/// it held where not; both are recorded in Outcome::called.
+/// it held where not; both are recorded in Outcome::required.
 [[nodiscard]] std::unique_ptr<Model> make_rocking_model(RockingAccuracy const& accuracy);
 /// Stick-slip, slide-rocking and slip at impacts; trials that make_rocking_model's model ended go on from where
 /// friction gave out.

@@ -160,7 +160,7 @@ class SpatialModel : public Model {
         }
         for (std::size_t i = 0; i < outcomes.size(); ++i) {
             batch.outcomes[i] = outcomes[i];
-            batch.outcomes[i].called = mask_of(Effect::spatial);
+            batch.outcomes[i].required = mask_of(Effect::spatial);
             if (!batch.extra.empty()) {
                 fill_match(blocks[i].match, outcomes[i].extra);
                 constexpr std::size_t row = sizeof(SpatialQuantities);

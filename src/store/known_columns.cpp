@@ -15,9 +15,11 @@ constexpr std::string_view page =
 #include "store/columns_page.inc"
     ;
 
-// Of files of earlier formats: read, and no longer written.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> former{
-    {{"fragility/<body>", "measure_units"}, {"stripes/<body>", "rung"}, {"stripes/<body>", "rung_trials"}}};
+// Of earlier files: read, and no longer written.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 4> former{{{"fragility/<body>", "measure_units"},
+                                                                               {"limit_states", "said"},
+                                                                               {"stripes/<body>", "rung"},
+                                                                               {"stripes/<body>", "rung_trials"}}};
 
 bool is_former(std::string_view group, std::string_view column) {
     return std::ranges::find(former, std::pair(group, column)) != former.end();

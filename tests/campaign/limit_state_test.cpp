@@ -149,7 +149,7 @@ TEST(LimitState, NearnessIsNestedWithPassing) {
 TEST(LimitState, WhatWasNotSimulatedIsNotKnown) {
     Judged const judged(touches);
     auto row = row_of(Verdict::rocked, 0, 0.1);
-    row.called = mask_of(Effect::sliding);
+    row.required = mask_of(Effect::sliding);
 
     EXPECT_EQ(judged(row), '?');
     row.effects = mask_of(Effect::sliding);
@@ -280,7 +280,7 @@ TEST(LimitState, CallsForWhatStatedEffectsSimulate) {
         ASSERT_EQ(a.rows.size(), b.rows.size());
         for (std::size_t t = 0; t < a.rows.size(); ++t) {
             auto row = b.rows[t];
-            row.called = a.rows[t].called;  // auto asks all models what would act
+            row.required = a.rows[t].required;  // auto asks all models what would act
             EXPECT_TRUE(same_bits(a.rows[t], row)) << differing(a.rows[t], row).front();
         }
     }

@@ -218,7 +218,7 @@ TEST(Site, WhatWasNotFollowedIsNotKnown) {
     };
     auto row = judged.moved(0.1, 0.1);
     EXPECT_FALSE(unknown(row));
-    row.called = mask_of(Effect::sliding);
+    row.required = mask_of(Effect::sliding);
     EXPECT_TRUE(unknown(row));
     row.effects = mask_of(Effect::sliding);
     EXPECT_FALSE(unknown(row));

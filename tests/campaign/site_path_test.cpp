@@ -185,7 +185,7 @@ TEST(SitePath, WhatWasNotFollowedIsNotKnown) {
     };
     auto row = row_of(spec);
     EXPECT_DOUBLE_EQ(left_at(row, 3), 0.7);
-    row.called = mask_of(Effect::sliding);
+    row.required = mask_of(Effect::sliding);
     EXPECT_TRUE(std::isnan(left_at(row, 3))) << "it may have slipped";
     row.effects = mask_of(Effect::sliding);
     EXPECT_DOUBLE_EQ(left_at(row, 3), 0.7);

@@ -162,7 +162,7 @@ TEST(TrialPurity, TransverseMotionIsReportedAndCallsForSpaceWhereItIsStrong) {
         auto const third = campaign_from(strong + (shaken ? "" : "axes=1\n") + testing::levels("values=[4,6]\n"));
         auto const there = run(third, prepared(third, 1), 0, 1);
         EXPECT_EQ(there.model == spatial_traits().number, shaken);
-        EXPECT_EQ(has(static_cast<EffectMask>(there.called), Effect::vertical), shaken);
+        EXPECT_EQ(has(static_cast<EffectMask>(there.required), Effect::vertical), shaken);
     }
     EXPECT_EQ(row.vertical_pga_mps2, without.row.vertical_pga_mps2);
     EXPECT_TRUE(std::isnan(without.row.transverse_match_mean_misfit)) << "there is no such component";

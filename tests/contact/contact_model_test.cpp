@@ -81,7 +81,7 @@ TEST(ContactModel, RunsABatchAsItsTrialsAlone) {
         auto shaking = trials[i].excitation;
         shaking.vertical_mps2 = everything ? shaking.vertical_mps2 : std::span<double const>{};
         auto alone = simulate_contact(block, shaking);
-        alone.called = contact;
+        alone.required = contact;
         EXPECT_TRUE(testing::bit_equal<Outcome>(alone, outcomes[i])) << i;
         alone.extra.restitution = emergent_restitution(body, {}, {});
         alone.extra.corner_share = 1;

@@ -218,7 +218,7 @@ TEST(ModelSelector, RequiredSlipIsReportedEvenWhereNothingMovesInTheEnd) {
     for (std::size_t i = 0; i < many.trials().size(); ++i) {
         bool const slid = forced.responses[i].peak_slip_m > 0;
         auto const said = [&](Answers const& a) {
-            return has(static_cast<EffectMask>(a.responses[i].called), Effect::sliding);
+            return has(static_cast<EffectMask>(a.responses[i].required), Effect::sliding);
         };
         EXPECT_EQ(said(forced), slid) << i;
         EXPECT_EQ(said(chosen), chosen.responses[i].model == sliding_traits().number) << i;
@@ -266,7 +266,7 @@ TEST(ModelSelector, LeavesOutWhatNoModelSupportsTogether) {
             EXPECT_EQ(after.verdict, before.verdict) << i;
             EXPECT_EQ(after.peak_slip_m, before.peak_slip_m) << i;
             EXPECT_EQ(after.effects, before.effects) << i;
-            bool const called = has(static_cast<EffectMask>(after.called), crushing);
+            bool const called = has(static_cast<EffectMask>(after.required), crushing);
             EXPECT_EQ(after.reason == left_out_reason, called) << i;
             left_out += called ? 1 : 0;
         } else if (before.peak_rotation_ratio > 0.3) {
@@ -299,7 +299,7 @@ TEST(ModelSelector, ReportsRequiredEffectsThatNoModelSupportsTogether) {
     auto const answer = chooses.respond({on_bed, motion, 5});
     EXPECT_EQ(answer.reason, left_out_reason);
     EXPECT_EQ(answer.model, 9) << "the cheaper model's effect is kept";
-    EXPECT_TRUE(has(static_cast<EffectMask>(answer.called), Effect::contact));
+    EXPECT_TRUE(has(static_cast<EffectMask>(answer.required), Effect::contact));
     EXPECT_FALSE(has(static_cast<EffectMask>(answer.effects), Effect::contact));
     EXPECT_EQ(ModelSelector(EffectRequest{}).left_out({on_bed, motion, 5}), 0U)
         << "the program's own models hold theirs";

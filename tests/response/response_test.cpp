@@ -58,7 +58,7 @@ EffectRequest const forced_nothing{EffectMode::forced, 0};
 
 // What the body did; which effects would have acted is looked at by name.
 void expect_same_bits(Response one, Response const& other) {
-    one.called = other.called;
+    one.required = other.required;
     EXPECT_TRUE(testing::bit_equal<Outcome>(one, other));
 }
 
@@ -70,9 +70,9 @@ TEST(Response, NoneIgnoresTheVerticalButReportsThatItWasRequired) {
 
     ASSERT_EQ(plain.verdict, Verdict::rocked);
     expect_same_bits(plain, ignoring);
-    EXPECT_EQ(plain.called, 0);
+    EXPECT_EQ(plain.required, 0);
     EXPECT_EQ(ignoring.effects, 0);
-    EXPECT_EQ(ignoring.called, mask_of(Effect::vertical));
+    EXPECT_EQ(ignoring.required, mask_of(Effect::vertical));
 }
 
 //
@@ -94,7 +94,7 @@ TEST(Response, WaveWithoutVerticalCallsForNothing) {
 
         expect_same_bits(asked, plain);
         EXPECT_EQ(asked.effects, 0);
-        EXPECT_EQ(asked.called, 0);
+        EXPECT_EQ(asked.required, 0);
     }
 }
 
@@ -107,11 +107,11 @@ TEST(Response, SlidingIsCalledForWhereTheDemandExceedsStaticFriction) {
     auto const free = trial(wave(false), {.effects = automatic}, rocking_scale);
     double const demand = free.friction_demand;
     ASSERT_GT(demand, 0.25);
-    EXPECT_EQ(free.called, 0) << "without a stated friction nothing slips";
+    EXPECT_EQ(free.required, 0) << "without a stated friction nothing slips";
 
     auto const called_with = [&](double friction) {
         return trial(wave(false), {.friction = Friction{friction, friction}, .effects = automatic}, rocking_scale)
-            .called;
+            .required;
     };
     EXPECT_EQ(called_with(demand), 0) << "exactly what is needed is enough";
     EXPECT_EQ(called_with(1.001 * demand), 0);
@@ -124,7 +124,7 @@ TEST(Response, StaticFrictionDecidesNotKinetic) {
 
     EXPECT_EQ(
         trial(wave(false), {.friction = Friction{1.1 * demand, 0.1 * demand}, .effects = automatic}, rocking_scale)
-            .called,
+            .required,
         0);
 }
 
@@ -139,7 +139,7 @@ TEST(Response, BodyAtRestSlidesOnASlipperyFloor) {
     EXPECT_EQ(asked.effects, mask_of(Effect::sliding));
     EXPECT_GT(asked.peak_slip_m, 0);
     EXPECT_EQ(plain.verdict, Verdict::at_rest);
-    EXPECT_EQ(plain.called, mask_of(Effect::sliding)) << "left out, but said";
+    EXPECT_EQ(plain.required, mask_of(Effect::sliding)) << "left out, but said";
     EXPECT_TRUE(testing::near(plain.friction_demand, 0.2, testing::exact_formula));
 }
 

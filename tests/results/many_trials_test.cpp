@@ -73,7 +73,7 @@ class ManyRows {
         row.v_ereq_mps = 1.35;
         row.peak_rotation_ratio = falls ? 4 : 0.3;
         row.overturn_time_s = falls ? 25 : never;  // after the end of some waves
-        row.called = level % 4;
+        row.required = level % 4;
         row.response_velocity_mps = falls ? row.v_ereq_mps : 0.02 * row.amplitude;
         return row;
     }

@@ -59,7 +59,7 @@ class Recount : public ::testing::Test {
         row.level = trial.level;
         row.amplitude = spec_.levels.levels.at(trial.level).value;
         row.verdict = verdicts()[below(verdicts().size())].value;
-        row.called = static_cast<std::int64_t>(below(16));
+        row.required = static_cast<std::int64_t>(below(16));
         row.effects = static_cast<std::int64_t>(below(16));
         row.model = model_categories()[below(model_categories().size())].value;
         auto const reasons = reason_categories();
@@ -97,7 +97,7 @@ void expect_same(Statistics const& counted, Statistics const& all) {
         auto const& one = counted.bodies()[b];
         auto const& other = all.bodies()[b];
         EXPECT_EQ(one.ends, other.ends);
-        EXPECT_EQ(one.called, other.called);
+        EXPECT_EQ(one.required, other.required);
         EXPECT_EQ(one.left_out, other.left_out);
         EXPECT_EQ(one.fell_after_record, other.fell_after_record);
         EXPECT_EQ(one.peaked_after_record, other.peaked_after_record);

@@ -155,7 +155,7 @@ TEST(Statistics, CountWhatTheRowsSay) {
     statistics.add(row_of(1, 1, Verdict::contact_lost, false, true));
     statistics.add(row_of(1, 1, Verdict::slid, true, true));
     auto slipping = row_of(0, 1, Verdict::rocked, true, true);
-    slipping.called = mask_of(Effect::sliding) | mask_of(Effect::vertical);
+    slipping.required = mask_of(Effect::sliding) | mask_of(Effect::vertical);
     statistics.add(slipping);
 
     auto const& b = statistics.bodies()[1];
@@ -190,8 +190,9 @@ TEST(Statistics, CountWhatTheRowsSay) {
     auto const& a = statistics.bodies()[0];
     EXPECT_EQ(a.stripes[0].trials, 0);
     EXPECT_EQ(a.stripes[1].amplitude, 6);
-    EXPECT_EQ(a.called, (std::vector<Counts>{{0, 1}, {0, 1}, {0, 0}, {0, 0}})) << "vertical, sliding, contact, spatial";
-    EXPECT_EQ(b.called, (std::vector<Counts>{{0, 0}, {0, 0}, {0, 0}, {0, 0}}));
+    EXPECT_EQ(a.required, (std::vector<Counts>{{0, 1}, {0, 1}, {0, 0}, {0, 0}}))
+        << "vertical, sliding, contact, spatial";
+    EXPECT_EQ(b.required, (std::vector<Counts>{{0, 0}, {0, 0}, {0, 0}, {0, 0}}));
 }
 
 // a body that still rocked when the record ended is reported, as far as rows know it.

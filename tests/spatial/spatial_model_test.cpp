@@ -70,7 +70,7 @@ TEST(SpatialModel, ShowsTheChannelsThatItNames) {
     EXPECT_GT(seen.instants, 10);
     EXPECT_TRUE(seen.finite);
     EXPECT_EQ(seen.width, spatial_traits().channels.size());
-    EXPECT_EQ(outcome.called, spatial);
+    EXPECT_EQ(outcome.required, spatial);
 }
 
 // R-1002.
@@ -103,7 +103,7 @@ TEST(SpatialModel, RunsABatchAsItsTrialsAlone) {
         auto shaking = trials[i].excitation;
         shaking.vertical_mps2 = everything ? shaking.vertical_mps2 : std::span<double const>{};
         auto alone = simulate_spatial(block, shaking);
-        alone.called = spatial;
+        alone.required = spatial;
         EXPECT_TRUE(testing::bit_equal<Outcome>(alone, outcomes[i])) << i;
         alone.extra.restitution = emergent_restitution(body, footing.base, footing.pad);
         alone.extra.normal_restitution = 0.25;

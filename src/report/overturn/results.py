@@ -15,7 +15,7 @@ import h5py  # noqa: E402
 import numpy as np  # noqa: E402
 
 OLDEST, NEWEST = 3, 5  # formats that this reader knows
-FORMER = {"measure_units": "units"}  # names in files of formats 3 and 4, and what they are called since
+FORMER = {"measure_units": "units", "said": "full_name"}  # names in earlier files, and what they are called since
 ROW = "row"  # the axis of tables that name none
 # Of the file's bytes; where these are more than a stretch, of the digests of its stretches (src/store/seal.cpp).
 SEAL = re.compile(rb"\noverturn-seal sha256 (of the sha256 of every 64 MiB )?([0-9a-f]{64}) of ([0-9]{20}) bytes\n\Z")

@@ -37,7 +37,7 @@ class Report:
                         for limit in self.fit["limit_states"]}
         self.results = CampaignResults(path_of(data["file"]), self.fit["bodies"], self.stripes[OVERTURNING], data["levels_unit"],
                                        data["waves_shown"])
-        self.limit_names = {limit["name"]: limit["said"] for limit in self.fit["limit_states"]}  # as lines call them
+        self.limit_names = {limit["name"]: limit["full_name"] for limit in self.fit["limit_states"]}  # as lines call them
         self.ends = [end for end in self.results.ends if end in self.fit["stripes"][0]]  # of those that the program knows
         tables = {part: self.fit[part] for part in ("probabilities", "band", "isotonic", "drawn", "warnings")}
         parts = {part: rows_by(rows, "body", "limit", "measure")

@@ -156,7 +156,7 @@ def limits(report):
         return
     parts = []
     for limit in stated:
-        parts += [f"<h4>{escape(limit['said'])}: {escape(limit['definition'])}</h4>", *curves(report, limit["name"])]
+        parts += [f"<h4>{escape(limit['full_name'])}: {escape(limit['definition'])}</h4>", *curves(report, limit["name"])]
     names = [limit["name"] for limit in stated]
     report.rows("limits", [s for name in names for s in report.stripes[name]])
     report.rows("limit-fragility", fits_told(report, names))
