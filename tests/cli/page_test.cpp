@@ -167,6 +167,8 @@ TEST_F(Page, HoldsTheCampaignWordForWord) {
     }
     EXPECT_EQ(text, folder.read("c.toml"));
     EXPECT_EQ(page.find("<details"), std::string::npos) << "folded away, so not in print";
+    EXPECT_NE(page.find("<th scope=col>pga 12\u00a0m/s2 = 2\u00a0x</th>"), std::string::npos)
+        << "a number and its unit stay on one line";
 }
 
 // V_WES was not wanted, so that a history shows none and says so.

@@ -63,6 +63,11 @@ def cell_of(value, across=1, title=""):
     return f"<td{f' class={quoted}' if looks else ''}{f' colspan={across}' if across > 1 else ''}>{escape(text)}</td>"
 
 
+def heading_of(title):
+    """A number keeps its unit beside it: "900 gal = 1.5 x" breaks at the sign alone."""
+    return re.sub(r"([0-9]) (?=[a-z%])", "\\1\u00a0", escape(title))
+
+
 def row_of(cells, head):
     """A row of a table. Where it has fewer cells than columns, its last one takes the rest."""
     last = len(cells) - 1
@@ -80,7 +85,7 @@ def scrolled(name, content):
 
 def table(name, head, rows, note="", kind=""):
     """Numbered by the page. kind: "words" of cells that are text, "sortable" of rows whose order may be changed."""
-    cells = "".join(f"<th scope=col{' class=text' if title in TEXTS else ''}>{escape(title)}</th>" for title in head)
+    cells = "".join(f"<th scope=col{' class=text' if title in TEXTS else ''}>{heading_of(title)}</th>" for title in head)
     body = "".join(row_of(list(row), head) for row in rows)
     return (scrolled(name, f'<table class="{kind}"><caption>{NUMBER_OF_TABLE}{escape(name)}</caption><thead><tr>{cells}</tr></thead>'
                            f"<tbody>\n{body}</tbody></table>") + note_of(note) + "\n")
