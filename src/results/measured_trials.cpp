@@ -11,6 +11,18 @@
 #include "response/registry.hpp"
 
 namespace overturn {
+namespace {
+
+// On points a body also rotates by as much as its pad yields; its verdict leaves that out.
+bool left_ground(TrialRow const& row) {
+    auto const mask = static_cast<EffectMask>(row.effects);
+    if (has(mask, Effect::contact) || has(mask, Effect::spatial)) {
+        return row.verdict == Verdict::rocked || row.verdict == Verdict::slid_and_rocked;
+    }
+    return row.peak_rotation_ratio > 0;
+}
+
+}  // namespace
 
 MeasuredTrials::MeasuredTrials(std::vector<Measure> measures, SharedDraws shared) : shared_(std::move(shared)) {
     std::ranges::partition_copy(measures, std::back_inserter(linear_), std::back_inserter(others_), is_linear);
@@ -49,7 +61,7 @@ void MeasuredTrials::add(TrialRow const& row, LimitOutcomes const& limits) {
     trial.limits = limits;
     trial.moved = verdict.moved;
     trial.slipped = row.peak_slip_m > 0;
-    trial.uplifted = verdict.fell || row.peak_rotation_ratio > 0;
+    trial.uplifted = verdict.fell || left_ground(row);
     auto const missed = static_cast<EffectMask>(row.required) & ~static_cast<EffectMask>(row.effects);
     trial.peak_slip_m = verdict.decided && !has(missed, Effect::sliding) ? row.peak_slip_m : never;
     trial.peak_rotation_ratio = verdict.decided ? row.peak_rotation_ratio : never;

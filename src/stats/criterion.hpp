@@ -14,7 +14,7 @@ struct CriterionTrial {
     double ratio = 0;  ///< measure over limit
     std::int64_t wave = 0;
     bool overturned = false;
-    bool uplifted = true;  ///< it left the ground: what did not could not have fallen
+    bool uplifted = true;  ///< an edge of its base left the ground: otherwise it could not overturn
 
     [[nodiscard]] bool predicted_safe() const { return ratio < 1; }
 };

@@ -36,6 +36,9 @@ class AnalysisOfRows : public ::testing::Test {
         statistics.add(row, measures);
     }
     void trial(std::int64_t wave, std::int64_t level, Verdict verdict, double scale, double v_wes) {
+        statistics.add(trial_row(wave, level, verdict, scale, v_wes));
+    }
+    TrialRow trial_row(std::int64_t wave, std::int64_t level, Verdict verdict, double scale, double v_wes) {
         TrialRow row;
         row.wave = wave;
         row.body = 1;
@@ -51,7 +54,7 @@ class AnalysisOfRows : public ::testing::Test {
         row.peak_rotation_ratio = verdict == Verdict::at_rest ? 0 : verdict == Verdict::overturned ? 4 : 0.3;
         row.response_velocity_mps = verdict == Verdict::overturned ? row.v_ereq_mps : v_wes / 10;
         row.peak_slip_m = wave % 2 == 0 ? 0.01 : 0;
-        statistics.add(row);
+        return row;
     }
     // 40 waves that fall from a level on which differs from wave to wave.
     void fill() {
@@ -214,6 +217,30 @@ TEST_F(AnalysisOfRows, TheVerdictFollowsTheCounts) {
         trial(w, 2, Verdict::rocked, 4.5, 3.0);
     }
     EXPECT_EQ(verdict().false_alarms, Speaks::against);
+}
+
+// A pad yields under a body that slides: it rotates by a little, yet no part of its base leaves the ground.
+TEST_F(AnalysisOfRows, ABodyOnAYieldingPadThatOnlySlidDoesNotTestTheCriterion) {
+    wave(0, 2, 1);
+    auto row = trial_row(0, 0, Verdict::slid, 1.5, 1.0);
+    row.peak_rotation_ratio = 2e-5;
+    for (auto const effect : {Effect::contact, Effect::spatial}) {
+        row.effects = mask_of(Effect::sliding) | mask_of(effect);
+        statistics.add(row);
+    }
+    EXPECT_EQ(analyse(spec, statistics, {})[1].verdict->safety, Safety::none_uplifted);
+
+    row.verdict = Verdict::slid_and_rocked;
+    statistics.add(row);
+    row.verdict = Verdict::rocked;
+    statistics.add(row);
+    row.verdict = Verdict::slid;  // on corners whatever rotates has left the ground
+    row.effects = mask_of(Effect::sliding);
+    statistics.add(row);
+
+    auto const body = analyse(spec, statistics, {})[1];
+    auto const v_wes = std::ranges::find(body.criterion, measure_named("v_wes"), &MeasuredCriterion::measure);
+    EXPECT_EQ(v_wes->study.safe_uplifted_but_overturned.of, 3);
 }
 
 TEST_F(AnalysisOfRows, UntestedSafetyIsReported) {
