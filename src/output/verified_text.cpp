@@ -55,6 +55,7 @@ Json verified_json(Verification const& of, store::ResultsReader const& file, Cam
                    Verified const& found) {
     return {{"passed", found.all_equal()},
             {"file", of.file},
+            {"content_sha256", file.text("content_sha256")},
             {"sha256", store::sealed_digest(of.file)},
             {"made_by", maker_of(file)},
             {"program", program_identity()},
@@ -103,7 +104,8 @@ std::string verified_page(Json const& json) {
                              : json.at("sample").is_null() ? "Verification: all rows are bit-equal"
                                                            : "Verification: " + counted(json) + " are bit-equal",
                     .facts = {{"file", text("file")},
-                              {"SHA-256", text("sha256")},
+                              {"content_sha256", text("content_sha256")},
+                              {"seal", text("sha256")},
                               {"made by", text("made_by")},
                               {"recomputed by", "overturn " + text("program")},
                               {"machine", text("machine")},

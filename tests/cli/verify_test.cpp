@@ -45,6 +45,8 @@ TEST_F(Verify, LeavesARecord) {
     auto alone = nlohmann::json::parse(overturn(folder, asked).out);
     EXPECT_EQ(alone["passed"], true);
     EXPECT_EQ(alone["sha256"], seal);
+    auto const status = nlohmann::json::parse(overturn(folder, {"status", "c.h5", "--json"}).out);
+    EXPECT_EQ(alone["content_sha256"], status["content_sha256"]) << "the digest that is cited";
     EXPECT_EQ(alone["date"], "<1 May>");
     EXPECT_EQ(alone["trials"], 24);
     EXPECT_EQ(alone["differing_trials"], 0);
@@ -52,6 +54,7 @@ TEST_F(Verify, LeavesARecord) {
     auto const page = folder.read("v.html");
     EXPECT_NE(page.find("all rows are bit-equal"), std::string::npos);
     EXPECT_NE(page.find(seal), std::string::npos);
+    EXPECT_NE(page.find("content_sha256</dt><dd>" + status["content_sha256"].get<std::string>()), std::string::npos);
     EXPECT_NE(page.find("<dd>&lt;1 May&gt;</dd>"), std::string::npos);
     auto together = nlohmann::json::parse(execute(folder, mpirun(2, asked)).out);
     EXPECT_EQ(together["ranks"], 2);

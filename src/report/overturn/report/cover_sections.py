@@ -10,7 +10,7 @@ def identity(report):
     rows = [("revision", cover["revision"]), ("date", cover["date"]),
             ("program", f"overturn {about['program_version']} ({about['git_revision']})"),
             ("campaign", f"{about['campaign_name']}, SHA-256 {about['input_sha256']}"),
-            ("results", f"SHA-256 {about['content_sha256']}" if about.get("content_sha256") else "")]
+            ("results", f"content_sha256 {about['content_sha256']}" if about.get("content_sha256") else "")]
     return "".join(f"<div><dt>{escape(what)}</dt><dd>{escape(which)}</dd></div>" for what, which in rows if which)
 
 
