@@ -79,6 +79,9 @@ std::span<LimitQuantity const> limit_quantities() {
 }
 
 std::string LimitState::threshold_text() const {
+    if (threshold == 0) {
+        return "0";  // in every unit
+    }
     auto const symbol = !shown.symbol.empty() ? shown.symbol : quantity.units == "1" ? std::string() : quantity.units;
     auto text = fmt::format("{:.6g}{}{}", shown.of(threshold), symbol.empty() ? "" : " ", symbol);
     if (symbol == "rad") {

@@ -27,8 +27,8 @@ TEST(Site, ItsLimitsAreThere) {
                                     + "[[limits]]\nname='bad'\nany=['touches','leaves-the-pad']\n"
                                       "[[limits]]\nname='close'\nquantity='least_clearance'\nbelow='10 cm'\n");
     ASSERT_EQ(spec.limits.size(), 5U);
-    EXPECT_EQ(definition_of(spec.limits[1], spec.limits), "least_clearance < 0 m");
-    EXPECT_EQ(definition_of(spec.limits[2], spec.limits), "edge_margin < 0 m");
+    EXPECT_EQ(definition_of(spec.limits[1], spec.limits), "least_clearance < 0");
+    EXPECT_EQ(definition_of(spec.limits[2], spec.limits), "edge_margin < 0");
     EXPECT_EQ(definition_of(spec.limits[4], spec.limits), "least_clearance < 10 cm");
     ModelSelector const selector(spec.effects, spec.accuracy);
     LimitJudge const judge(spec.limits, selector);
