@@ -34,7 +34,7 @@ std::string with_tests(std::string const& text, std::string const& tests, Tested
     return ranges == Tested::stated ? fmt::format("{} ({})", text, tests) : text;
 }
 
-// Shown in the unit that the campaign states; without one, in that of the tests.
+// Shown in the unit that the campaign states; without one angles in degrees, all else in the unit of the tests.
 void add_outside(std::vector<std::string>& list, std::size_t place, double least, double most, Tested ranges,
                  std::optional<IntensityUnit> const& stated = {}) {
     auto const& range = tested.at(place);
@@ -54,7 +54,7 @@ void add_outside(std::vector<std::string>& list, std::size_t place, double least
 
 std::vector<std::string> outside_validated_range(CampaignSpec const& spec, Tested ranges) {
     TextsOf texts;
-    auto const angle = typed_unit(spec, Dimension::angle);
+    auto const angle = typed_unit(spec, Dimension::angle).value_or(shown_unit(spec, "rad"));
     auto const velocity = typed_unit(spec, Dimension::velocity);
     for (auto const& body : spec.bodies) {
         std::vector<std::string> outside;

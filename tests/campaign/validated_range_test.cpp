@@ -35,7 +35,7 @@ TEST(ValidatedRange, NamesEveryQuantityThatLeavesIt) {
                                                        + body("wide, too", 0.2, 0.35) + body("large", 0.22, 1.0)
                                                        + body("slips", 0.0773, 0.35, "friction=0.5\n")));
     ASSERT_EQ(lines.size(), 3U);
-    EXPECT_EQ(lines[0], "wide, wide, too: alpha 0.278 rad (tested: 0.08 to 0.14 rad)");
+    EXPECT_EQ(lines[0], "wide, wide, too: alpha 15.9 deg (tested: 4.58 to 8.02 deg)");
     EXPECT_EQ(lines[1], "large: p 2.7 rad/s (tested: 4 to 5.4 rad/s)");
     EXPECT_EQ(lines[2], "slips: friction (no test measured it)");
     auto const fast =
