@@ -355,8 +355,8 @@ class SheetMaker {
         return chaotic == 0 || of_.numerical
                    ? std::string()
                    : fmt::format(
-                       " {} of {} trials were computed on points or a rim: a smaller time step may change which "
-                       "fall (overturn cost CAMPAIGN.toml: by how much P).",
+                       " {} of {} trials used the contact model (points or a rim): a smaller time step may change "
+                       "which of them overturn (effect on P: overturn cost CAMPAIGN.toml).",
                        chaotic, all);
     }
 

@@ -295,7 +295,7 @@ TEST(Answer, StatesWhatTheTimeStepMayChange) {
     constexpr std::int64_t rocking = 2;
     constexpr std::int64_t contact = 3;
     constexpr std::int64_t spatial = 4;
-    std::string const found = "160 of 160 trials were computed on points or a rim";
+    std::string const found = "160 of 160 trials used the contact model (points or a rim)";
     auto const unwrapped = [](std::string text) {
         std::ranges::replace(text, '\n', ' ');
         return text;
