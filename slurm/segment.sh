@@ -17,9 +17,21 @@ if [ -z "${OVERTURN:-}" ]; then
 fi
 : "${OVERTURN_LAUNCH:=mpirun}" "${OVERTURN_MOST_SEGMENTS:=100}"
 
-# planned CAMPAIGN [options of overturn run]: is it a campaign? Said here at once, not by every task after its wait.
+# What is to be the jobs' time limit, as overturn takes it; nothing where sbatch is not told one here. Slurm's "30" are minutes.
+limit_of_jobs() {
+    local limit=${SBATCH_TIMELIMIT:-}
+    case $limit in
+        *[!0-9:-]* | -* | '' | 0) ;;
+        *[:-]*) echo "$limit" ;;
+        *) echo "$limit min" ;;
+    esac
+}
+
+# planned CAMPAIGN [options of overturn run]: is it a campaign? Said here at once, not by every task after its wait. A limit
+# within which no block is done gives a warning.
 planned() {
-    local campaign=$1 sets=()
+    local campaign=$1 sets=() limit said
+    limit=$(limit_of_jobs)
     shift
     if ! command -v "$OVERTURN" >/dev/null; then
         return 0  # in a container that only the jobs enter: there it is said
@@ -31,7 +43,9 @@ planned() {
         esac
         shift
     done
-    "$OVERTURN" plan "$campaign" "${sets[@]}" >/dev/null
+    [ -z "$limit" ] || sets+=(--max-walltime "$limit")
+    said=$("$OVERTURN" plan "$campaign" "${sets[@]}") || return
+    awk '/^[^ ]/ { about_limit = /^warning +within the limit/ } about_limit' <<<"$said" >&2
 }
 
 # file_of ARGUMENTS OF run... : the results file, behind links, as run itself finds it.
@@ -50,14 +64,37 @@ file_of() {
     readlink -f -- "$file"
 }
 
-# idle_legs FILE : how many legs of this job by now, one after the other, committed no block. Between two legs the number
-# of blocks and the answer lie in a file beside FILE; another way a job has to remember both is not known to every site.
+# part_of ARGUMENTS OF run... : the part that they ask for, if any.
+part_of() {
+    local part=''
+    while [ $# -gt 0 ]; do
+        case $1 in
+            --part) part=${2:-} ;;
+            --part=*) part=${1#*=} ;;
+        esac
+        shift
+    done
+    echo "$part"
+}
+
+# done_so_far FILE PART : blocks; of a part, whose blocks lie among those of others, the trials that its legs have noted.
+done_so_far() {
+    if [ -z "$2" ]; then
+        find "$1.parts" -name '*.block' 2>/dev/null | wc -l
+    else
+        sed -n 's|.*"part":"'"$2"'",.*"trials":\([0-9]*\),"ranks":.*|\1|p' "$1.parts"/*.segment 2>/dev/null |
+            awk '{ trials += $1 } END { print trials + 0 }'
+    fi
+}
+
+# idle_legs FILE PART : how many legs of this job by now, one after the other, committed no block. Between two legs what is
+# done and the answer lie in a file beside FILE; another way a job has to remember both is not known to every site.
 idle_legs() {
-    local kept=$1.legs-$SLURM_JOB_ID before=0 idle=0 blocks
-    blocks=$(find "$1.parts" -name '*.block' 2>/dev/null | wc -l)
+    local kept=$1.legs-$SLURM_JOB_ID before=0 idle=0 now
+    now=$(done_so_far "$1" "$2")
     ! [ -s "$kept" ] || read -r before idle _ <"$kept"
-    [ "$blocks" -gt "$before" ] && idle=0 || idle=$((idle + 1))
-    echo "$blocks $idle (blocks of job $SLURM_JOB_ID, and its last legs that added none)" >"$kept"
+    [ "$now" -gt "$before" ] && idle=0 || idle=$((idle + 1))
+    echo "$now $idle (done by now, and the last legs of job $SLURM_JOB_ID that added nothing)" >"$kept"
     echo "$idle"
 }
 
@@ -88,7 +125,7 @@ segment() {
         rm -f "$file.legs-$SLURM_JOB_ID"
         return $code
     fi
-    idle=$(idle_legs "$file")
+    idle=$(idle_legs "$file" "$(part_of "$@")")
     if [ "$idle" -ge "$most_idle" ]; then
         rm -f "$file.legs-$SLURM_JOB_ID"
         echo "segment: $idle legs in a row ended without a new block, so this job would go round for ever: it is not put back into" \

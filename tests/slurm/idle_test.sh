@@ -1,6 +1,6 @@
 #!/bin/bash
 # Requirement R-1201: a job whose limit is shorter than a block ends after three legs without one and says so; legs between
-# which one was committed count anew. Needs no Slurm.
+# which one was committed count anew. Of an array each task counts its own part. Needs no Slurm.
 # idle_test.sh PROGRAM SLURM_FOLDER
 set -u
 OVERTURN=$1 OVERTURN_SLURM=$2 OVERTURN_LAUNCH=env
@@ -53,6 +53,23 @@ leg 8 "${short[@]}"
 [ "$(requeued 8)" -eq 5 ] || fail "a leg with a block counts as one without: $(cat queued)"
 leg 8 "${short[@]}"
 [ "$(requeued 8)" -eq 5 ] || fail "goes round for ever after a block"
+
+# Tasks of an array into one folder: what one does is not the progress of another.
+task() { # ARRAY_TASK OPTIONS OF run...
+    SLURM_JOB_ID=2$1 SLURM_ARRAY_TASK_ID=$1 SLURM_ARRAY_TASK_COUNT=2 bash slurm/array.sbatch c.toml a.h5 "${@:2}" >said 2>&1
+    [ $? -eq 3 ] || fail "a task's leg that can go on ended otherwise"
+}
+rm -f queued
+for _ in 1 2 3; do
+    task 1 "${short[@]}"
+    before=$(blocks_of a)
+    task 2 "${long[@]}"
+    more_blocks_than a "$before" || fail "task 2 did no block within ${long[1]}"
+done
+[ "$(requeued 21)" -eq 2 ] || fail "a task that does nothing takes another's blocks for its own: $(cat queued)"
+[ "$(requeued 22)" -eq 3 ] || fail "a task that does blocks ends: $(cat queued)"
+[ ! -e a.h5.legs-21 ] || fail "what an idle task kept stays"
+[ -s a.h5.legs-22 ] || fail "a task keeps nothing between two legs"
 
 # Nothing of it stays beside a file that is complete, nor after a TERM.
 leg 10 -o done.h5 "${short[@]}" --set waves.count=2

@@ -50,5 +50,18 @@ grep -qx "array.sbatch: was given to sbatch (it submits itself). Run: slurm/arra
 
 slurm/array.sbatch 3 good.toml good.h5 --set waves.count=5 --max-walltime "1 h" >said 2>&1 || fail "$(cat said)"
 grep -q "^$tree/.build/release/src/overturn --parsable --array=1-3 .*good.toml good.h5 --set waves.count=5" queued || fail "$(cat queued)"
+grep -q "limit" said && fail "a word about a limit where none is stated: $(cat said)"
 grep -q "wrap=$tree/.build/release/src/overturn merge good.h5" queued || fail "the merge job: $(cat queued)"
+
+# The time limit that sbatch will take from its variable is known before anything waits; Slurm's "1" is a minute.
+sed "s/^values = .*/values = {from = '1000 gal', to = '1400 gal', count = 60000}/" good.toml >long.toml
+for limit in 0:01 00:00:01 0-00:00:01; do
+    said=$(SBATCH_TIMELIMIT=$limit slurm/array.sbatch 3 long.toml long.h5 2>&1) || fail "a limit of a second: $said"
+    grep -q "^warning  *within the limit of 1.0 s no block is done" <<<"$said" || fail "no word about a limit of a second: $said"
+    grep -q "^[^ w]" <<<"${said%%parts *}" && fail "more than a warning: $said"
+done
+for limit in 1 UNLIMITED 0; do
+    said=$(SBATCH_TIMELIMIT=$limit slurm/array.sbatch 3 long.toml long.h5 2>&1) || fail "the limit $limit: $said"
+    [ "$said" = "parts 1, merge 1" ] || fail "the limit $limit: $said"
+done
 echo "typed: holds"
