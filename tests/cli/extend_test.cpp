@@ -79,6 +79,29 @@ TEST_F(Extend, WavesAreAddedToTheSameBytes) {
     }
 }
 
+// R-1303: a column's 64 KiB are not read anew for each block of few trials, which made this 130 times the file.
+TEST_F(Extend, ReadsWhatItKeepsAFewTimes) {
+    auto const grown = [](int waves) {
+        auto text = small_campaign("shared", waves);
+        text = with(text, "duration='20.48 s'\ntime_step='0.02 s'\nmatch='each'\nmatch_iterations=3",
+                    "duration='2.56 s'\ntime_step='0.02 s'\nmatch='none'");
+        text = with(text, "rise='2 s'\nlevel_end='10 s'\nend='18 s'", "rise='0.5 s'\nlevel_end='1.5 s'\nend='2.4 s'");
+        return with(text, "longest=6", "longest=2");
+    };
+    write(grown(2600));
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    double const file = std::filesystem::file_size(folder / "c.h5");
+    write(grown(2610));
+    auto const ended = execute(
+        folder, {"/bin/sh", "-c", "\"$0\" run c.toml --extend >told && grep rchar /proc/$$/io", OVERTURN_PROGRAM});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    constexpr std::string_view label = "rchar: ";
+    double const bytes = std::stod(ended.out.substr(ended.out.find(label) + label.size()));
+    EXPECT_GT(bytes, 2 * file);  // it was counted: the file is hashed on opening, and again when it is made
+    EXPECT_LT(bytes, 25 * file);
+    expect_as_at_once();
+}
+
 // R-1107: levels and bodies, and both beside waves, wherever they stand in their lists: of what is there no trial is
 // answered again, but for a body that scatters and is drawn by another place.
 TEST_F(Extend, LevelsAndBodiesAreAddedToTheSameBytes) {

@@ -32,6 +32,16 @@ template <class Row> void copy_rows(std::vector<Row> const& from, std::int64_t f
     to.insert(to.end(), begin, begin + count);
 }
 
+// Waves from one place on, to the end of others of the same campaign.
+void copy_waves(BlockRows const& from, std::int64_t first, std::int64_t count, Plan const& plan, BlockRows& to) {
+    auto const trials = plan.trials_per_wave();
+    auto const of_trials = trials * plan.extra_bytes();
+    copy_rows(from.waves, first, count, to.waves);
+    copy_rows(from.measures, first * plan.bodies(), count * plan.bodies(), to.measures);
+    copy_rows(from.trials.rows, first * trials, count * trials, to.trials.rows);
+    copy_rows(from.trials.extra, first * of_trials, count * of_trials, to.trials.extra);
+}
+
 }  // namespace
 
 EarlierRows::EarlierRows(std::string place, CampaignInput const& input)
@@ -57,9 +67,25 @@ FinishedRows::FinishedRows(std::filesystem::path const& output, std::unique_ptr<
     index(file_->integers("waves/id"));
 }
 
-BlockRows FinishedRows::rows(std::int64_t first, std::int64_t count) const {
+BlockRows FinishedRows::read(std::int64_t first, std::int64_t count) const {
     auto const each = plan().trials_per_wave();
     return {rows_.waves(first, count), rows_.measures(first, count), rows_.trials(first * each, count * each)};
+}
+
+// A rank takes blocks in a row, but with many ranks few: twice as much is read each time that more is asked for.
+BlockRows FinishedRows::rows(std::int64_t first, std::int64_t count) const {
+    auto const end = ahead_first_ + ahead_count_;
+    if (first < ahead_first_ || first + count > end) {
+        bool const goes_on = first <= end && first > ahead_first_;
+        auto const most = std::max<std::int64_t>(1, most_rows_read / plan().trials_per_wave());
+        auto const wanted = std::max(count, goes_on ? std::min(2 * ahead_count_, most) : 0);
+        ahead_count_ = std::min(wanted, this->count() - first);
+        ahead_first_ = first;
+        ahead_ = read(ahead_first_, ahead_count_);
+    }
+    BlockRows some;
+    copy_waves(ahead_, first - ahead_first_, count, plan(), some);
+    return some;
 }
 
 UnfinishedRows::UnfinishedRows(store::ShardFolder shards, CampaignInput const& input, std::vector<std::int64_t> blocks)
@@ -77,18 +103,13 @@ UnfinishedRows::UnfinishedRows(store::ShardFolder shards, CampaignInput const& i
 
 BlockRows UnfinishedRows::rows(std::int64_t first, std::int64_t count) const {
     BlockRows all;
-    auto const trials = plan().trials_per_wave();
     while (count > 0) {
         auto const number = std::ranges::upper_bound(firsts_, first) - firsts_.begin() - 1;
         auto const waves = plan().waves_of_block(blocks_.at(number)).count;
         auto const rows = BlockRows::unpack(shards_.read(blocks_[number]), plan(), waves);
         auto const from = first - firsts_[number];
         auto const taken = std::min(count, waves - from);
-        auto const of_trials = trials * plan().extra_bytes();
-        copy_rows(rows.waves, from, taken, all.waves);
-        copy_rows(rows.measures, from * plan().bodies(), taken * plan().bodies(), all.measures);
-        copy_rows(rows.trials.rows, from * trials, taken * trials, all.trials.rows);
-        copy_rows(rows.trials.extra, from * of_trials, taken * of_trials, all.trials.extra);
+        copy_waves(rows, from, taken, plan(), all);
         first += taken;
         count -= taken;
     }

@@ -56,7 +56,8 @@ class EarlierRows {
     std::vector<std::pair<std::int64_t, std::int64_t>> places_;  ///< by identity
 };
 
-/// Rows of a finished file, whose seal is not checked here.
+/// Rows of a finished file, whose seal is not checked here. HDF5 reads 64 KiB of a column at least, which is a
+/// thousand times a wave of few trials: where waves are asked for one after the other, more are read at once.
 class FinishedRows : public EarlierRows {
   public:
     explicit FinishedRows(std::filesystem::path const& output);
@@ -64,8 +65,11 @@ class FinishedRows : public EarlierRows {
 
   private:
     FinishedRows(std::filesystem::path const& output, std::unique_ptr<store::ResultsReader> file);
+    [[nodiscard]] BlockRows read(std::int64_t first, std::int64_t count) const;
     std::unique_ptr<store::ResultsReader> file_;
     StoredRows rows_;
+    mutable BlockRows ahead_;  ///< what was read last, of so many waves
+    mutable std::int64_t ahead_first_ = 0, ahead_count_ = 0;
 };
 
 /// Rows of blocks that were set aside (ShardFolder::set_aside).
