@@ -11,8 +11,7 @@ namespace {
 // Integral of |a| over a stretch in which a goes from one value to another on a straight line.
 double area_of(double from, double to, double duration_s) {
     double const sum = std::abs(from) + std::abs(to);
-    return (from < 0) == (to < 0) || sum == 0 ? 0.5 * duration_s * sum
-                                              : 0.5 * duration_s * (from * from + to * to) / sum;
+    return (from < 0) == (to < 0) ? 0.5 * duration_s * sum : 0.5 * duration_s * (from * from + to * to) / sum;
 }
 
 }  // namespace
@@ -38,18 +37,20 @@ double standardised_cav_mps(std::span<double const> acceleration_mps2, double ti
     };
     for (std::size_t i = 1; i < acceleration_mps2.size(); ++i) {
         double const begin_s = static_cast<double>(i - 1) * time_step_s;
+        double const first = acceleration_mps2[i - 1];
         double const last = acceleration_mps2[i];
-        double const slope = (last - acceleration_mps2[i - 1]) / time_step_s;
         double at_s = begin_s;
-        double at = acceleration_mps2[i - 1];
+        double at = first;
         auto const go_to = [&](double to_s, double to) {
             in_window += area_of(at, to, to_s - at_s);
-            peak = std::max({peak, std::abs(at), std::abs(to)});
+            peak = std::max(peak, std::abs(at));
+            peak = std::max(peak, std::abs(to));
             at_s = to_s;
             at = to;
         };
         while (end_s <= begin_s + time_step_s) {
-            go_to(end_s, end_s == begin_s + time_step_s ? last : acceleration_mps2[i - 1] + slope * (end_s - begin_s));
+            double const slope = (last - first) / time_step_s;
+            go_to(end_s, end_s == begin_s + time_step_s ? last : first + slope * (end_s - begin_s));
             close();
             end_s += window_s;
         }

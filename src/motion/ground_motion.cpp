@@ -46,9 +46,16 @@ std::vector<double> displacement_of(std::span<double const> acceleration_mps2, d
 }
 
 double peak_of(std::span<double const> values) {
-    std::array<double, 4> peaks{};  // side by side: one would wait for itself
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        peaks[i % 4] = std::max(peaks[i % 4], std::abs(values[i]));
+    constexpr std::size_t width = 4;
+    std::array<double, width> peaks{};  // side by side: one would wait for itself
+    std::size_t i = 0;
+    for (; i + width <= values.size(); i += width) {
+        for (std::size_t j = 0; j < width; ++j) {
+            peaks[j] = std::max(peaks[j], std::abs(values[i + j]));
+        }
+    }
+    for (; i < values.size(); ++i) {
+        peaks[0] = std::max(peaks[0], std::abs(values[i]));
     }
     return std::max(std::max(peaks[0], peaks[1]), std::max(peaks[2], peaks[3]));
 }

@@ -2,8 +2,12 @@
 // included.
 #include "motion/intensity.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <vector>
 
+#include "core/polynomial.hpp"
 #include "core/units.hpp"
 #include "motion/ground_motion.hpp"
 #include "support/tolerance.hpp"
@@ -38,6 +42,9 @@ TEST(Intensity, PeakDisplacementInsideAStepIsFound) {
 
     EXPECT_TRUE(near(peak.pgd_m, 2.0 / 27, exact_formula));
     EXPECT_TRUE(near(peak.pgv_mps, 0.5, exact_formula));
+
+    // v = 0.995 - t in the second step turns just before its end; d is 0.83 at its start.
+    EXPECT_TRUE(near(intensity_of(std::vector{2.99, -1.0, -1.0}, 1.0).pgd_m, 0.83 + 0.995 * 0.995 / 2, exact_formula));
 }
 
 TEST(Intensity, AgreesWithASeriesRefinedByInterpolation) {
@@ -62,6 +69,30 @@ TEST(Intensity, AgreesWithASeriesRefinedByInterpolation) {
     EXPECT_TRUE(near(exact.arias_mps, refined.arias_mps, exact_formula));
     EXPECT_GE(exact.pgv_mps, peak_of(velocity_of(coarse, 0.01)));
     EXPECT_GE(exact.pgd_m, peak_of(displacement_of(coarse, 0.01)));
+}
+
+// Velocity that scarcely turns or scarcely does not, in waves whose steps are large beside it.
+TEST(Intensity, PeakDisplacementIsThatOfASearchInEveryStep) {
+    constexpr double dt = 0.01;
+    for (int wave = 0; wave < 200; ++wave) {
+        std::vector<double> a;
+        for (int i = 0; i < 300; ++i) {
+            a.push_back(std::sin((1.3 + 0.007 * wave) * i) + std::cos(0.031 * wave * i) - 0.01 * (wave % 7));
+        }
+        double velocity = 0, displacement = 0, peak = 0;
+        for (std::size_t i = 1; i < a.size(); ++i) {
+            std::array const v{velocity, a[i - 1], (a[i] - a[i - 1]) / (2 * dt)};
+            std::array const d{displacement, v[0], v[1] / 2, v[2] / 3};
+            auto const turns = roots_in(v, 0.0, dt);
+            for (double const t : turns.all()) {
+                peak = std::max(peak, std::abs(evaluate(d, t)));
+            }
+            displacement += velocity * dt + dt * dt / 3 * a[i - 1] + dt * dt / 6 * a[i];
+            velocity += 0.5 * dt * (a[i - 1] + a[i]);
+            peak = std::max(peak, std::abs(displacement));
+        }
+        EXPECT_EQ(intensity_of(a, dt).pgd_m, peak) << wave;
+    }
 }
 
 TEST(Intensity, MirrorImageHasEqualMeasures) {
