@@ -3,7 +3,45 @@
 #include <array>
 #include <cstddef>
 
+#include "simd/targets.hpp"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "generators/detail/baseline.cpp"
+#include <hwy/foreach_target.h>
+// foreach_target comes first: it includes this file once per instruction set
+#include "simd/lanes-inl.hpp"
+
+HWY_BEFORE_NAMESPACE();
+namespace overturn::HWY_NAMESPACE {
+
+using SomeLanes = simd::HWY_NAMESPACE::Doubles<2>;
+
+void subtract(BaselinePolynomial const& taken, double per_sample, std::span<double> values) {
+    std::array<double, SomeLanes::count> numbers;
+    for (std::size_t lane = 0; lane < numbers.size(); ++lane) {
+        numbers[lane] = static_cast<double>(lane);
+    }
+    auto number = SomeLanes::load(numbers.data());
+    std::size_t i = 0;
+    for (; i + numbers.size() <= values.size(); i += numbers.size()) {
+        auto const s = number * per_sample;
+        auto const arch = s * (1 - s);
+        (SomeLanes::load(&values[i]) - (taken.bump * arch + taken.wave * (arch * (2 * s - 1)))).store(&values[i]);
+        number = number + static_cast<double>(numbers.size());
+    }
+    for (; i < values.size(); ++i) {
+        values[i] -= taken(static_cast<double>(i) * per_sample);
+    }
+}
+
+}  // namespace overturn::HWY_NAMESPACE
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace overturn {
+
+HWY_EXPORT(subtract);
+
 namespace {
 
 // From rest, of accelerations on straight lines: a sample's share in the end velocity is 1, in the end displacement the
@@ -57,10 +95,9 @@ void correct_baseline_to(std::span<double> acceleration_mps2, GroundEnd wanted) 
         auto const end = end_of(acceleration_mps2, last);
         auto const taken = polynomial_ending({end.velocity - wanted.velocity, end.displacement - wanted.displacement},
                                              acceleration_mps2.size());
-        for (int i = 0; i <= last; ++i) {
-            acceleration_mps2[i] -= taken(i * per_sample);
-        }
+        HWY_DYNAMIC_DISPATCH(subtract)(taken, per_sample, acceleration_mps2);
     }
 }
 
 }  // namespace overturn
+#endif

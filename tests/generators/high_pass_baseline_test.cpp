@@ -13,6 +13,7 @@
 #include "generators/detail/real_fft.hpp"
 #include "generators/detail/spectrum_matcher.hpp"
 #include "motion/ground_motion.hpp"
+#include "simd/instruction_sets.hpp"
 #include "spectra/named_targets.hpp"
 #include "support/tolerance.hpp"
 #include "support/waves.hpp"
@@ -59,6 +60,24 @@ TEST(HighPassBaseline, EndsAtRestWhereItBegan) {
         EXPECT_LT(std::abs(displacement.back()), 1e-10 * peak_of(displacement)) << samples;
         EXPECT_NEAR(wave.front(), before.front(), 1e-12) << samples;
         EXPECT_NEAR(wave.back(), before.back(), 0.01 * peak_of(before)) << samples;
+    }
+}
+
+/// A polynomial in lanes of any width, and what is left beside them.
+TEST(PolynomialBaseline, HasTheSameBitsOnEveryInstructionSet) {
+    for (std::size_t samples = 5; samples < 70; ++samples) {
+        std::vector<double> first;
+        for (auto const set : simd::instruction_sets()) {
+            simd::OnlyInstructionSet const only(set);
+            auto wave = testing::broad_wave(samples, dt);
+            correct_baseline(wave);
+            if (first.empty()) {
+                first = wave;
+            }
+            EXPECT_EQ(wave, first) << simd::name_of(set) << " " << samples;
+            EXPECT_LT(std::abs(velocity_of(wave, dt).back()), 1e-14) << samples;
+            EXPECT_LT(std::abs(displacement_of(wave, dt).back()), 1e-14) << samples;
+        }
     }
 }
 
