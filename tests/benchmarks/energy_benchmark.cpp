@@ -134,6 +134,23 @@ void window(benchmark::State& state) {
 }
 BENCHMARK(window)->Name("window_energy/both/ours");
 
+// Another body's band on the same wave, right after the first body's.
+void second_body(benchmark::State& state) {
+    PeriodBand const other{.t0_s = 0.533, .t1_s = 5.33};
+    for ([[maybe_unused]] auto _ : state) {
+        state.PauseTiming();
+        benchmark::DoNotOptimize(window_energy(wave(), step_s, band));
+        state.ResumeTiming();
+        benchmark::DoNotOptimize(window_energy(wave(), step_s, other));
+    }
+    auto finer = WindowOptions{};
+    finer.panel_phase_rad = 5;
+    count(state, std::abs(window_energy(wave(), step_s, other).v_wes_max_mps
+                              / window_energy(wave(), step_s, other, finer).v_wes_max_mps
+                          - 1));
+}
+BENCHMARK(second_body)->Name("window_energy/second_body/ours");
+
 void whole(benchmark::State& state) {
     double found = 0;
     for ([[maybe_unused]] auto _ : state) {

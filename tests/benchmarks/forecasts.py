@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Does `plan` say what a run then takes? Every campaign, on one rank.
 
-    forecasts.py PROGRAM [--campaigns DIR] [--seconds 300] [--repetitions 1] [--only WORD]
+    forecasts.py PROGRAM [--campaigns DIR] [--seconds 300] [--repetitions 1] [--only WORD] [--into README.md]
 
 A plan and a run follow each other at once, so that neighbours on the machine slow both alike. Printed are what the plan says for one rank, what
 the run takes from the start of its program to its end, their ratio, what the run's FILE.runtime.json says, and the run's CPU time: where that
@@ -56,17 +56,19 @@ def main():
     parser.add_argument("program", metavar="PROGRAM", type=campaigns.program)
     campaigns.add_options(parser, seconds=300, repetitions=1)
     options = parser.parse_args()
-    print("| campaign | waves | plan | run | run / plan | wall_s | CPU time |\n|---|---|---|---|---|---|---|", flush=True)
+    table = campaigns.Table("forecasts", ["campaign", "waves", "plan", "run", "run / plan", "`wall_s`", "CPU time"], options,
+                            f"Revision {campaigns.revision(options.program)}, `--seconds {options.seconds:g} --repetitions {options.repetitions}`.")
     for campaign in campaigns.chosen(options):
         try:
             rows = [compared(options.program, campaign, options.seconds) for _ in range(options.repetitions)]
         except RuntimeError as error:
-            print(f"| {campaign.stem} | not run: {error} |", flush=True)
+            table.add(campaign.stem, f"not run: {error}", "", "", "", "", "")
             continue
         waves, fewer = rows[0][:2]
         plan, run, told, cpu = (statistics.median(times) for times in zip(*((r[2]["wall_s"], *r[3:]) for r in rows)))
-        print(f"| {campaign.stem} | {waves}{' (fewer)' if fewer else ''} | {plan:.2f} s | {run:.2f} s | {run / plan:.2f} | {told:.2f} s | "
-              f"{cpu:.2f} s |", flush=True)
+        table.add(campaign.stem, f"{waves}{' (fewer)' if fewer else ''}", f"{plan:.2f} s", f"{run:.2f} s", f"{run / plan:.2f}", f"{told:.2f} s",
+                  f"{cpu:.2f} s")
+    table.close()
 
 
 if __name__ == "__main__":

@@ -2,6 +2,7 @@
 """How many times faster two ranks are than one: every campaign, in one run.
 
     two_ranks.py PROGRAM... [--mpirun MPIRUN] [--campaigns DIR] [--seconds 8] [--repetitions 3] [--only WORD] [--cpu]
+                 [--into README.md]
 
 Campaigns whose waves can be counted take so many waves that one rank needs about --seconds by its plan, and never fewer than eight. A run on
 one rank and one on two follow each other --repetitions times, of several programs in turn with the same waves. Printed are medians of wall time, their ratio, and the ratio of the work
@@ -60,7 +61,9 @@ def main():
     campaigns.add_options(parser, seconds=8, repetitions=3)
     parser.add_argument("--cpu", action="store_true")
     options = parser.parse_args()
-    print("| campaign | waves | one rank | two ranks | times faster | its work alone |\n|---|---|---|---|---|---|", flush=True)
+    of = " and ".join(campaigns.revision(program) for program in options.programs)
+    table = campaigns.Table("two_ranks", ["campaign", "waves", "one rank", "two ranks", "times faster", "its work alone"], options,
+                            f"Revision {of}, `--seconds {options.seconds:g} --repetitions {options.repetitions}{' --cpu' if options.cpu else ''}`.")
     for campaign in campaigns.chosen(options):
         waves = waves_for(options.programs[0], campaign, options.seconds)
         if waves is None:
@@ -76,7 +79,9 @@ def main():
         for program in options.programs:
             one, two = (middle[program, waves, ranks] for ranks in (1, 2))
             alone = [middle[program, waves, ranks] - middle[program, FEW, ranks] for ranks in (1, 2)]
-            print(f"| {campaign.stem} | {waves} | {one:.2f} s | {two:.2f} s | {one / two:.2f} | {alone[0] / alone[1]:.2f} |", flush=True)
+            name = campaign.stem if program == options.programs[0] else f"{campaign.stem}, {campaigns.revision(program)}"
+            table.add(name, f"{waves}", f"{one:.2f} s", f"{two:.2f} s", f"{one / two:.2f}", f"{alone[0] / alone[1]:.2f}")
+    table.close()
 
 
 if __name__ == "__main__":
