@@ -236,33 +236,18 @@ class SheetMaker {
 
     void add_probability(std::size_t b, std::size_t limit) {
         auto const& counted = of_.statistics.bodies()[b].stripes_of(limit);
-        auto const* const rare = rare_of(b, limit);
         auto const name = limit == 0 ? std::string() : full_name(of_.spec.limits[limit], of_.spec.limits);
         add_row(limit == 0 ? of_.analysis[b].body : "",
                 too_few_     ? (limit == 0 ? "overturned" : name)
                 : limit == 0 ? "P(overturn)"
                              : "P(" + name + ")",
                 [&](std::size_t l) {
+                    auto const* const rare = too_few_ ? nullptr : rare_estimate_at(of_, b, limit, l);
+                    shows_rare_ = shows_rare_ || rare != nullptr;
                     return too_few_          ? passed_text(counted[l])
-                           : rare != nullptr ? rare_cell(rare->estimates.at(l), counted[l])
+                           : rare != nullptr ? rare_text(*rare)
                                              : probability_text(counted[l], of_.confidence);
                 });
-    }
-
-    [[nodiscard]] RareBody const* rare_of(std::size_t body, std::size_t limit) const {
-        auto const found = std::ranges::find_if(of_.rare, [&](RareBody const& one) {
-            return one.body == body && one.limit == limit && one.estimates.size() == of_.spec.levels.levels.size();
-        });
-        return found == of_.rare.end() ? nullptr : &*found;
-    }
-    // The estimate of rare events; where it is but a bound, that or what plain trials show, whichever says more.
-    [[nodiscard]] std::string rare_cell(rare::Estimate const& estimate, Stripe const& plain) {
-        if (!estimate.probability && plain.decided() > 0
-            && plain.interval(of_.confidence).upper <= estimate.interval_95.upper) {
-            return probability_text(plain, of_.confidence);
-        }
-        shows_rare_ = true;
-        return rare_text(estimate);
     }
 
     [[nodiscard]] std::string named(std::string const& what, std::size_t limit) const {

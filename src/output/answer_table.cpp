@@ -15,6 +15,7 @@ Table answer_table(Answered const& of) {
         std::string limit;
         std::size_t level;
         Stripe const* stripe;
+        rare::Estimate const* rare;  // in place of what the trials show; null: none
         BodyFrequency const* frequency;
         FragilityFit const* fit;
     };
@@ -31,7 +32,8 @@ Table answer_table(Answered const& of) {
         for (std::size_t limit = 0; limit < limits.size(); ++limit) {
             for (auto const l : answer_levels(of.spec.levels)) {
                 rows.push_back({&body, alpha_rad, limits[limit], l, &of.statistics.bodies()[b].stripes_of(limit)[l],
-                                frequency_at(of, body.body, limits[limit]), &body.curves_of(limit).front().fit});
+                                rare_estimate_at(of, b, limit, l), frequency_at(of, body.body, limits[limit]),
+                                &body.curves_of(limit).front().fit});
             }
         }
     }
@@ -75,11 +77,20 @@ Table answer_table(Answered const& of) {
              [](Row const& row) { return row.stripe->overturned; })
         .add("undecided", "1", "of them without a verdict",
              [](Row const& row) { return row.stripe->trials - row.stripe->decided(); })
-        .add("probability", "1", "P of the limit state; NaN: see no_probability",
-             [&](Row const& row) { return too_few ? std::nullopt : std::optional(row.stripe->probability()); })
-        .add(
-            "", "1", "its exact interval",
-            [&](Row const& row) { return too_few ? std::nullopt : std::optional(row.stripe->interval(of.confidence)); })
+        .add("probability", "1", "P of the limit state; NaN: only its interval is known, or see no_probability",
+             [&](Row const& row) {
+                 return too_few               ? std::nullopt
+                        : row.rare != nullptr ? row.rare->probability
+                                              : std::optional(row.stripe->probability());
+             })
+        .add("", "1", "its interval: of counts exact, of rare events at 95 %",
+             [&](Row const& row) {
+                 return too_few               ? std::nullopt
+                        : row.rare != nullptr ? std::optional(row.rare->interval_95)
+                                              : std::optional(row.stripe->interval(of.confidence));
+             })
+        .category("probability_by", "what P is taken from: counts of these trials, or the estimate of [rare]",
+                  {"counts", "rare"}, [](Row const& row) { return row.rare != nullptr ? "rare" : "counts"; })
         .add("no_probability", "1", "why there is none: few recorded motions",
              [&](Row const&) { return std::optional<std::string>(why_no_probability); })
         .add("peak_slip_median", slip, "median of the peak slip; infinite: overturned",

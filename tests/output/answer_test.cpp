@@ -15,6 +15,7 @@
 #include "core/wrapped.hpp"
 #include "output/detail/answer_cells.hpp"
 #include "output/detail/interval_text.hpp"
+#include "output/json.hpp"
 #include "output/sections.hpp"
 #include "support/campaigns.hpp"
 #include "support/expect_input_error.hpp"
@@ -220,6 +221,19 @@ TEST(Answer, HoldsTheEstimateOfRareEvents) {
     EXPECT_NE(text.find(" 0.5 [0.338, 0.662]\n"), std::string::npos) << "plain trials show more\n" << text;
     EXPECT_NE(text.find("P by [rare] (95 %)"), std::string::npos) << text;
     EXPECT_EQ(made.text().find("[rare]"), std::string::npos);
+
+    auto const json = output::json_of(std::vector{output::answer_table(
+        {.spec = made.spec, .statistics = made.statistics, .analysis = made.analysis, .rare = rare})})["answer"];
+    ASSERT_EQ(json.size(), 3U);
+    EXPECT_EQ(json[0]["probability_by"], "rare");
+    EXPECT_TRUE(json[0]["probability"].is_null());
+    EXPECT_EQ(json[0]["upper"], 1.2301e-4);
+    EXPECT_EQ(json[1]["probability"], 1.3561e-2);
+    EXPECT_EQ(json[1]["lower"], 0.01204);
+    EXPECT_EQ(json[2]["probability_by"], "counts");
+    EXPECT_EQ(json[2]["probability"], 0.5);
+    EXPECT_EQ(json[2]["exceeded"], 20);
+
     rare.front().body = 1;
     EXPECT_EQ(made.text({}, rare).find("[rare]"), std::string::npos) << "of another body";
 }

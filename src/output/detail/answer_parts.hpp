@@ -28,4 +28,21 @@ namespace overturn::output {
     return found == of.frequencies.end() ? nullptr : &*found;
 }
 
+/// The estimate of [rare] that stands in place of these counted trials; null where there is none, or where it is but a
+/// bound and the trials show a lower one.
+[[nodiscard]] inline rare::Estimate const* rare_estimate_at(Answered const& of, std::size_t body, std::size_t limit,
+                                                            std::size_t level) {
+    auto const found = std::ranges::find_if(of.rare, [&](RareBody const& one) {
+        return one.body == body && one.limit == limit && one.estimates.size() == of.spec.levels.levels.size();
+    });
+    if (found == of.rare.end()) {
+        return nullptr;
+    }
+    auto const& estimate = found->estimates[level];
+    auto const& plain = of.statistics.bodies()[body].stripes_of(limit)[level];
+    bool const trials_show_more = !estimate.probability && plain.decided() > 0
+                                  && plain.interval(of.confidence).upper <= estimate.interval_95.upper;
+    return trials_show_more ? nullptr : &estimate;
+}
+
 }  // namespace overturn::output
