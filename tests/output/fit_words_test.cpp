@@ -83,7 +83,12 @@ TEST(FitWords, OtherLimitStatesHaveTheirOwn) {
     auto const split = fit_fragility(FragilityData::of_stripes(table_of({{2, 100, 0}, {8, 100, 1}})), request);
 
     EXPECT_EQ(name_of(none.state, none.passing), "nothing-exceeded");
-    EXPECT_EQ(words_of(none).at(0), "no trial exceeded it: no curve; P <= 0.03622 at 8 m/s2 (none of 100, 95 %)");
+    EXPECT_EQ(words_of(none).at(0),
+              "no trial exceeded the limit: no curve; P <= 0.03622 at 8 m/s2 (none of 100, 95 %)");
+    EXPECT_EQ(with(words_of(split), "at most one level has both trials that exceed the limit and trials that do not"),
+              1);
+    EXPECT_EQ(with(words_of(split), "half of these trials exceed the limit at or above 8 m/s2; P there in ["), 1);
+    EXPECT_EQ(with(words_of(split), "only one trial exceeded the limit: the fit depends"), 1);
     for (auto const& fit : {none, split}) {
         auto texts = words_of(fit);
         std::ranges::copy(names_of(fit.flags, fit.passing), std::back_inserter(texts));

@@ -26,7 +26,7 @@ std::string bound_text(FragilityFit const& fit, IntensityUnit const& unit, doubl
     auto const where = bound.from == bound.to ? unit.text(bound.from)
                                               : fmt::format("{:.4g} to {}", unit.of(bound.from), unit.text(bound.to));
     auto const* const what = fit.passing == Passing::exceeded
-                                 ? none ? "no trial exceeded it" : "every trial exceeded it"
+                                 ? none ? "no trial exceeded the limit" : "every trial exceeded the limit"
                              : none ? "nothing overturned"
                                     : "everything overturned";
     return fmt::format(
@@ -54,13 +54,15 @@ std::string bracket_text(Interval const& bracket, IntensityUnit const& unit) {
                              : fmt::format("at or below {}", unit.text(bracket.upper));
 }
 
+char const* pass_text(FragilityFit const& fit) {
+    return fit.passing == Passing::exceeded ? "exceed the limit" : "overturn";
+}
+
 std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
     auto text = fmt::format(
-        "no curve, because {} at lower levels than those that {} (at most one level has both): beta cannot be "
+        "no curve, because at most one level has both trials that {} and trials that do not: beta cannot be "
         "estimated; half of these trials {} {}",
-        fit.passing == Passing::exceeded ? "all trials that keep within it are" : "all trials that stand are",
-        fit.passing == Passing::exceeded ? "exceed it" : "overturn",
-        fit.passing == Passing::exceeded ? "exceed it" : "overturn", bracket_text(fit.isotonic_median, unit));
+        pass_text(fit), pass_text(fit), bracket_text(fit.isotonic_median, unit));
     if (fit.bound) {
         text += "; P there in " + interval_text(fit.bound->probability);
     }
@@ -186,7 +188,7 @@ std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit cons
         }
     };
     add_if(FragilityFlag::one_overturned, fit.passing == Passing::exceeded
-                                              ? "only one trial exceeded it: the fit depends on that one"
+                                              ? "only one trial exceeded the limit: the fit depends on that one"
                                               : "only one trial overturned: the fit depends on that one");
     if (fit.identifiable()) {
         std::ranges::copy(
