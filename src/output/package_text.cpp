@@ -170,7 +170,7 @@ std::string question_text(CampaignSpec const& spec) {
 std::vector<std::string> method_lines(CampaignSpec const& spec) {
     std::vector<std::string> lines{
         "Each trial follows one rigid body through one wave at one level, by time steps: uplift, impacts, overturning. "
-        "Slip, a compliant pad and motion in space are simulated where the scene requires them."};
+        "Slip, a compliant pad and motion in space are simulated where a trial requires them."};
     if (!no_sample(spec, spec.wave_count)) {
         lines.emplace_back(
             "P at a level is the share of trials that overturn. Its interval is exact for independent waves (Clopper "

@@ -45,7 +45,7 @@ std::string placement_of(BodySpec const& spec) {
 std::string effects_text(CampaignSpec const& spec) {
     switch (spec.effects.mode) {
         case EffectMode::automatic:
-            return "auto: what each scene requires"
+            return "auto: what each trial requires"
                    + (spec.effects.include == 0
                           ? std::string()
                           : fmt::format("; {} in every trial, for the limit states that only they can answer",
