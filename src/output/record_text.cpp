@@ -4,6 +4,8 @@
 
 #include "campaign/intensity_measure.hpp"
 #include "core/field.hpp"
+#include "core/units.hpp"
+#include "core/wrapped.hpp"
 #include "motion/column_unit.hpp"
 
 namespace overturn::output {
@@ -20,7 +22,7 @@ Json record_json(PlacedRecord const& record) {
             {"samples", record.motion.samples()},
             {"duration_s", record.motion.duration_s()},
             {"used", record.says},
-            {"claims", record.statements},
+            {"statements", record.statements},
             {"not_understood", record.unread}};
 }
 
@@ -71,9 +73,10 @@ std::string text_of(PlacedRecord const& record, RecordSpectra const& spectra, Sh
         text += fmt::format("not understood, {}\n", line);
     }
     text +=
-        fmt::format("PGA {:.6g} m/s2 = {:.2f} gal, PGV {:.5g} {}, PGD {:.5g} m, Arias {:.5g} m/s\n",
-                    spectra.intensity.pga_mps2, 100 * spectra.intensity.pga_mps2, unit.of(spectra.intensity.pgv_mps),
-                    symbol, spectra.intensity.pgd_m, spectra.intensity.arias_mps);
+        fmt::format("PGA {:.6g} m/s2 = {:.2f} gal = {:.4g} g, PGV {:.5g} {}, PGD {:.5g} m, Arias {:.5g} m/s\n",
+                    spectra.intensity.pga_mps2, 100 * spectra.intensity.pga_mps2,
+                    spectra.intensity.pga_mps2 / unit_factor("g", Dimension::acceleration),
+                    unit.of(spectra.intensity.pgv_mps), symbol, spectra.intensity.pgd_m, spectra.intensity.arias_mps);
     std::string further;
     for (auto const& [measure, value] : measures_of(record.motion)) {
         further += fmt::format("{}{} {:.5g} {}", further.empty() ? "" : ", ", measure->title, value, measure->units());
@@ -92,6 +95,7 @@ std::string text_of(PlacedRecord const& record, RecordSpectra const& spectra, Sh
                             verdict(energy->restarted.v_wes_max_mps), unit.of(energy->running.v_wes_max_mps), symbol);
         text += "these predictions can be false: overturn rock computes whether the body overturns under this wave\n";
     }
+    text = narrowed(text);
     text += fmt::format("\n{:>9} {:>12} {:>12} {:>12} {:>12} {:>12}\n", "period s", "Sa m/s2", "pSv " + symbol, "Sd m",
                         "V_E " + symbol, "V_E0 " + symbol);
     for (std::size_t i = 0; i < spectra.response.period_s.size(); i += every) {

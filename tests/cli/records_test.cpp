@@ -104,6 +104,17 @@ TEST_F(RecordsOnTheLine, DriftIsReportedWhereLevelsDoNotNeedIt) {
     auto const rock = overturn(folder, {"rock", "--body", "body.toml", "--wave", "drifts.csv"});
     EXPECT_NE(unwrapped(rock.out).find("its baseline drifts, correct it with --baseline"), std::string::npos)
         << rock.out;
+    // PGA in the units that records are written in, and no line is wider than a terminal.
+    auto const shown = overturn(folder, {"spectrum", "--wave", "drifts.csv"}).out;
+    auto const pga =
+        json::parse(overturn(folder, {"spectrum", "--wave", "drifts.csv", "--json"}).out)["pga_mps2"].get<double>();
+    EXPECT_NE(shown.find(fmt::format(" m/s2 = {:.2f} gal = {:.4g} g, ", 100 * pga, pga / 9.80665)), std::string::npos)
+        << shown;
+    EXPECT_NE(unwrapped(shown).find("its baseline drifts, correct it with --baseline"), std::string::npos) << shown;
+    std::istringstream lines(shown);
+    for (std::string line; std::getline(lines, line);) {
+        EXPECT_LE(line.size(), 100U) << line;
+    }
     auto const spectrum = [&](std::string const& baseline) {
         return json::parse(
             overturn(folder, {"spectrum", "--wave", "drifts.csv", "--json", "--baseline", baseline}).out);
@@ -122,6 +133,7 @@ TEST_F(RecordsOnTheLine, TheReadingIsReported) {
                   .out.find(std::string("read as          ") + line),
               std::string::npos);
     auto const record = json::parse(overturn(folder, {"spectrum", "--wave", "rests.csv", "--json"}).out)["record"];
+    EXPECT_TRUE(record["statements"].is_array());
     EXPECT_EQ(record["format"], "columns");
     EXPECT_EQ(record["components"], json::array({"acc (gal)"}));
     EXPECT_EQ(record["unit"], "gal");
