@@ -28,10 +28,17 @@ constexpr double done_again_after_s = 0.2, times_longest = 2;
 constexpr double hung_after_shares = 10, shortest_share_s = 1;
 constexpr int ends_failed = 1;
 
-// "17 text"
-std::pair<std::int64_t, std::string> numbered(std::string const& text) {
+// Of "17 text", in its place: trials of curves are hundreds of megabytes, of which no copy is made.
+std::int64_t take_number(std::string& text) {
     auto const blank = text.find(' ');
-    return {std::stoll(text.substr(0, blank)), text.substr(blank + 1)};
+    auto const number = std::stoll(text.substr(0, blank));
+    text.erase(0, blank + 1);
+    return number;
+}
+
+std::string with_number(std::int64_t number, std::string text) {
+    text.insert(0, fmt::format("{} ", number));
+    return text;
 }
 
 // Every so many-th curve: those of one body differ less than those of two.
@@ -70,10 +77,10 @@ void take_statistics(Statistics& statistics, BytesIn& in) {
 }
 
 // "0 17 text"
-std::pair<store::BlockRange, std::string> blocks_of(std::string const& text) {
-    auto const [first, rest] = numbered(text);
-    auto const [last, more] = numbered(rest);
-    return {{first, last}, more};
+std::pair<store::BlockRange, std::string> blocks_of(std::string text) {
+    auto const first = take_number(text);
+    auto const last = take_number(text);
+    return {{first, last}, std::move(text)};
 }
 
 }  // namespace
@@ -137,12 +144,13 @@ MergingRanks::MergingRanks(parallel::Communicator const& comm, CampaignSpec cons
 void MergingRanks::run(std::function<void()> const& lead) {
     if (!comm_.is_root()) {
         for (;;) {
-            auto const [number, task] = numbered(letters_.wait().text);
+            auto task = letters_.wait().text;
+            auto const number = take_number(task);
             if (static_cast<Task>(task.front()) == Task::leave) {
                 comm_.wait_for_all({});
                 return;
             }
-            letters_.send(0, fmt::format("{} {}", number, answer(task)));
+            letters_.send(0, with_number(number, answer(std::move(task))));
         }
     }
     try {
@@ -234,7 +242,7 @@ std::vector<std::string> MergingRanks::all_do(Task task, std::int64_t count, Tex
 void MergingRanks::ask(Shares& shares, std::size_t share, int rank) {
     asked_[rank] = ++numbers_;
     shares.asked.emplace(numbers_, Shares::Asked{share, Clock::now()});
-    letters_.send(rank, fmt::format("{} {}", numbers_, shares.task(share)));
+    letters_.send(rank, with_number(numbers_, shares.task(share)));
 }
 
 void MergingRanks::do_here(Shares& shares, std::size_t share) const {
@@ -244,11 +252,11 @@ void MergingRanks::do_here(Shares& shares, std::size_t share) const {
 
 // What a rank answers to an earlier task has a number that no share of this one has.
 void MergingRanks::take_answers(Shares& shares) {
-    while (auto const letter = letters_.take()) {
-        auto [number, text] = numbered(letter->text);
+    while (auto letter = letters_.take()) {
+        auto const number = take_number(letter->text);
         asked_.erase(letter->from);
         if (auto const found = shares.asked.find(number); found != shares.asked.end()) {
-            shares.take(found->second.share, found->second.at, std::move(text));
+            shares.take(found->second.share, found->second.at, std::move(letter->text));
         }
     }
 }
@@ -292,9 +300,9 @@ void MergingRanks::let_go(std::string const& outcome, int code_without_all) {
     }
 }
 
-std::string MergingRanks::answer(std::string const& task) const {
-    auto const kind = static_cast<Task>(task.front());
-    auto const text = task.substr(1);
+std::string MergingRanks::answer(std::string text) const {
+    auto const kind = static_cast<Task>(text.front());
+    text.erase(0, 1);
     try {
         switch (kind) {
             case Task::rows:

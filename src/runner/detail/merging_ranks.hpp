@@ -65,7 +65,7 @@ class MergingRanks {
 
     // Of every rank.
     void serve() const;
-    [[nodiscard]] std::string answer(std::string const& task) const;
+    [[nodiscard]] std::string answer(std::string text) const;
     [[nodiscard]] std::string rows(std::string const& text) const;
     [[nodiscard]] std::string hashes(std::string const& text) const;
     [[nodiscard]] std::string curves(std::string const& text) const;
