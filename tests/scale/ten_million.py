@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 """Requirement R-1303: a large campaign from end to end: wall time, CPU time, peak memory and bytes of each phase.
 
-    ten_million.py PROGRAM [--trials N] [--levels N] [--ranks N --mpirun MPIRUN] [--folder DIR] [--rates]
+    ten_million.py PROGRAM [--trials N] [--levels N] [--ranks N --mpirun MPIRUN] [--folder DIR] [--extend] [--rates]
 
 Two rigid bodies at --levels levels under so many waves that there are --trials trials: 10^7 by default, which need 15 GB of disk
 below --folder, where everything is removed again. run leaves its blocks, then follow merge, status, fit, report, replay of the last
-trial and verify of a sample. CPU time and memory are those of the processes of a phase, memory of the largest one. --rates measures
-how fast this machine reads, hashes and writes one file, one after the other, for arithmetic beyond. Ends with 1 where a phase fails, or
-status counts other than --trials."""
+trial and verify of a sample; with --extend, one hundredth more waves are added to the finished file. CPU time and memory are those of
+the processes of a phase, memory of the largest one. Bytes read and written are those that the processes asked the kernel for, from disk
+or from its memory. --rates measures how fast this machine reads, hashes and writes one file, one after the other, for arithmetic beyond.
+Ends with 1 where a phase fails, or status counts other than --trials."""
 
 import argparse
 import hashlib
@@ -61,6 +62,12 @@ def bytes_below(folder):
     return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
 
 
+def moved():
+    """Bytes that this process and those it has waited for (and those these waited for) have read and written so far."""
+    counts = dict(line.split(": ") for line in pathlib.Path("/proc/self/io").read_text().splitlines())
+    return int(counts["rchar"]), int(counts["wchar"])
+
+
 class Phases:
     def __init__(self, program, folder):
         self.program, self.folder = program, folder
@@ -69,11 +76,12 @@ class Phases:
     def run(self, name, arguments, launcher=()):
         """One line of the table."""
         with open(self.folder / "told", "w+b") as told, open(self.folder / "errors", "w+b") as errors:
-            begin = time.monotonic()
+            begin, before = time.monotonic(), moved()
             process = subprocess.Popen([*launcher, self.program, *arguments], cwd=self.folder, stdout=told, stderr=errors,
                                        env=os.environ | MPI)
             _, state, used = os.wait4(process.pid, 0)
             wall_s = time.monotonic() - begin
+            read, written = (after - earlier for after, earlier in zip(moved(), before))
             process.returncode = os.waitstatus_to_exitcode(state)
             told.seek(0)
             self.told = told.read().decode()
@@ -84,7 +92,7 @@ class Phases:
         (self.folder / "told").unlink()
         (self.folder / "errors").unlink()
         print(f"| `{name}` | {wall_s:.1f} s | {used.ru_utime + used.ru_stime:.1f} s | {used.ru_maxrss / 1024:.0f} MB | "
-              f"{bytes_below(self.folder) / 1e9:.2f} GB |", flush=True)
+              f"{read / 1e9:.3g} GB | {written / 1e9:.3g} GB | {bytes_below(self.folder) / 1e9:.2f} GB |", flush=True)
 
 
 def rates(folder, size):
@@ -120,6 +128,7 @@ def main():
     options.add_argument("--ranks", type=int, default=1)
     options.add_argument("--mpirun", default="mpirun")
     options.add_argument("--folder", default=None)
+    options.add_argument("--extend", action="store_true")
     options.add_argument("--rates", action="store_true")
     asked = options.parse_args()
     waves, rest = divmod(asked.trials, BODIES * asked.levels)
@@ -132,7 +141,7 @@ def main():
         launcher = [asked.mpirun, "-n", str(asked.ranks)] if asked.ranks > 1 else []
         print(f"{asked.trials} trials ({waves} waves, {BODIES} bodies, {asked.levels} levels), {asked.ranks} ranks on {os.cpu_count()} "
               f"cores, load {os.getloadavg()[0]:.1f} before\n")
-        print("| phase | wall time | CPU time | peak memory | on disk after |\n|---|---|---|---|---|")
+        print("| phase | wall time | CPU time | peak memory | read | written | on disk after |\n" + "|---" * 7 + "|")
         phases.run("run --leave-blocks", ["run", "c.toml", "-o", "c.h5", "--leave-blocks"], launcher)
         phases.run("merge", ["merge", "c.h5"], launcher)
         phases.run("status --json", ["status", "c.h5", "--json"])
@@ -143,6 +152,12 @@ def main():
         phases.run("report", ["report", "c.h5", "-o", "c.html"])
         phases.run("replay", ["replay", "c.h5", "--trial", str(asked.trials - 1)])
         phases.run("verify --sample 100", ["verify", "c.h5", "--sample", "100"])
+        if asked.extend:
+            more = waves + max(1, waves // 100)
+            phases.run("run --extend", ["run", "c.toml", "-o", "c.h5", "--extend", "--set", f"waves.count={more}"], launcher)
+            phases.run("status --json", ["status", "c.h5", "--json"])
+            if json.loads(phases.told)["trials"]["done"] != more * BODIES * asked.levels:
+                raise SystemExit("the extended file has other trials")
         print(f"\nload {os.getloadavg()[0]:.1f} after")
         if asked.rates:
             rates(folder, (folder / "c.h5").stat().st_size)

@@ -10,7 +10,8 @@ arithmetic: ranks share the rows of the merge and the bytes of the file (--bandw
 together, an assumption); each fits whole curves; rank 0 alone receives the trials that are held for curves and writes tables.
 
 Printed for each number of ranks: seconds of each part; wall time; its serial part, which more ranks do not shorten: start, one curve,
-rank 0 alone; efficiency: the time that one rank computes waves, over the time of all ranks.
+rank 0 alone; efficiency: the time that one rank computes waves, over the time of all ranks. Then the shares of the time of all ranks that
+each part takes beside the waves: of the work commits, and ranks that wait for the last blocks or hand blocks out.
 
 --measure: CPU times of `run --leave-blocks` and of `merge` on one and on four ranks, of the campaign of ten_million.py in three
 sizes, two of them at or above the number of trials that are held. Ten minutes on two free cores, 6 GB below --folder.
@@ -44,7 +45,7 @@ PARTS = {
 
 
 def added_up(options, ranks):
-    """Seconds by part."""
+    """Seconds by part; of one rank all waves, and all commits."""
     waves = -(-options.trials // options.trials_of_wave)
     draw = random.Random(2013)
     costs = []
@@ -62,7 +63,15 @@ def added_up(options, ranks):
         "curves": options.fit * held * rounds / CURVES,
         "rank 0": options.receive * held * (1 if ranks > 1 else 0) + options.alone,
     }
-    return parts, options.wave * waves
+    return parts, options.wave * waves, options.commit * len(costs)
+
+
+def lost(parts, work, commits, ranks):
+    """Shares of the time of all ranks that are no waves, by what they are, in the order in which they come."""
+    idle = parts["work"] - (work + commits) / ranks
+    seconds = {"start": parts["start"], "commits": commits / ranks, "last blocks": idle} | \
+        {name: parts[name] for name in ("rows", "file", "curves", "rank 0")}
+    return {name: value / sum(parts.values()) for name, value in seconds.items()}
 
 
 def table(options):
@@ -70,13 +79,17 @@ def table(options):
           f"{options.bytes * options.trials / 1e9:.3g} GB, written once and read twice at {options.bandwidth:g} GB/s at most\n")
     columns = ("start", "work", "rows", "file", "curves", "rank 0")
     print("| ranks | " + " | ".join(columns) + " | wall time | serial part | efficiency |\n|" + "---|" * (len(columns) + 4))
-    serial = 0.0
+    serial, losses = 0.0, []
     for ranks in options.ranks:
-        parts, work = added_up(options, ranks)
+        parts, work, commits = added_up(options, ranks)
+        losses.append((ranks, lost(parts, work, commits, ranks)))
         wall = sum(parts.values())
         serial = parts["start"] + parts["curves"] / -(-CURVES // ranks) + parts["rank 0"]
         cells = [f"{parts[name]:.3g} s" for name in columns]
         print(f"| {ranks} | " + " | ".join(cells) + f" | {wall:.4g} s | {serial:.2g} s | {100 * work / (ranks * wall):.0f} % |")
+    print("\n| ranks | waves | " + " | ".join(losses[0][1]) + " |\n|" + "---|" * (len(losses[0][1]) + 2))
+    for ranks, shares in losses:
+        print(f"| {ranks} | {100 * (1 - sum(shares.values())):.1f} % | " + " | ".join(f"{100 * share:.1f} %" for share in shares.values()) + " |")
     return serial
 
 
