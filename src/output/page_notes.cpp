@@ -3,6 +3,7 @@
 #include "campaign/assumptions.hpp"
 #include "output/detail/fit_words.hpp"
 #include "output/detail/quote_text.hpp"
+#include "output/detail/together_text.hpp"
 #include "output/page_text.hpp"
 
 namespace overturn::output {
@@ -66,6 +67,7 @@ Json page_notes(Answered const& of) {
          "curve."},
         {"variability", fmt::format("Variability of the waves: {}.", of.spec.source->about().variability)},
         {"other_measures", "The " + other_measures_text(of.spec.levels.measure_label()) + "."},
+        {"together", alternatives_text(of.spec)},
         {"many_bodies", "{bodies} bodies: no more than {most} are drawn in one picture."},
         {"checks",
          "A check without a record counts as not run. Its row names the command that writes the record (--record)."},

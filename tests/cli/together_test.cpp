@@ -59,6 +59,27 @@ TEST_F(Together, SaysWhatItNeedsOfOneBody) {
     EXPECT_NE(text.find("needs several bodies (and no grid), or two measures"), std::string::npos) << text;
 }
 
+// what `new` writes without a friction: one cask in two cases, which never stand together.
+TEST_F(Together, SaysWhatItMeansOfOneCaskInTwoCases) {
+    auto const told = [&](std::string const& second) {
+        folder.write("two.toml",
+                     "seed=3\n[waves]\nsource='filtered-noise'\nmodel='kanai-tajimi'\nrms='1 m/s2'\ncount=24\n"
+                     "duration='4 s'\ntime_step='0.02 s'\n[levels]\nmeasure='pga'\nvalues=['6 m/s2']\n"
+                     "[[bodies]]\nname='slides'\nmass='1 t'\nbase_width='0.4 m'\ncentre_height='0.8 m'\n"
+                     "inertia='uniform-block'\nfriction=0.2\n[[bodies]]\nname='rocks'\nbase_width='0.4 m'\n"
+                     "centre_height='0.8 m'\ninertia='uniform-block'\nfriction=0.8\n"
+                         + second);
+        std::filesystem::remove(folder / "two.h5");
+        EXPECT_EQ(overturn(folder, {"run", "two.toml"}).code, 0);
+        return unwrapped(overturn(folder, {"fit", "two.h5", "--section", "together"}).out);
+    };
+    std::string const note =
+        "note: slides, rocks have one mass and one shape. If they are one cask under several "
+        "assumptions, P of any of them means nothing";
+    EXPECT_NE(told("mass='1 t'\n").find(note), std::string::npos);
+    EXPECT_EQ(told("mass='1.1 t'\n").find(note), std::string::npos);
+}
+
 //
 TEST_F(Together, CurveOverTwoMeasures) {
     auto const plain = json::parse(overturn(folder, {"fit", "c.h5", "--json"}).out);

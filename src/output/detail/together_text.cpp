@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/wrapped.hpp"
 #include "output/detail/interval_text.hpp"
 #include "output/detail/level_columns.hpp"
 #include "output/shown_levels.hpp"
@@ -24,11 +25,42 @@ std::string name_in_text(std::string const& name, CampaignSpec const& spec) {
     return limit == spec.limits.end() ? name : full_name(*limit, spec.limits);
 }
 
+// Does nothing distinguish them but what is often assumed of a cask: friction, restitution, pad?
+bool may_be_one(BodySpec const& a, BodySpec const& b) {
+    auto const shape = [](BodySpec const& body) {
+        auto const& stated = body.stated;
+        return std::array{stated.mass_kg, stated.half_width_m, stated.centre_height_m, stated.inertia_kgm2,
+                          stated.gravity_mps2};
+    };
+    return shape(a) == shape(b) && a.footing.base.shape == b.footing.base.shape;
+}
+
 }  // namespace
+
+std::string alternatives_text(CampaignSpec const& spec) {
+    for (auto const& body : spec.bodies) {
+        std::vector<std::string> alike;
+        for (auto const& other : spec.bodies) {
+            if (may_be_one(body, other)) {
+                alike.push_back(other.name);
+            }
+        }
+        if (alike.size() > 1) {
+            return fmt::format(
+                "{} have one mass and one shape. If they are one cask under several assumptions, P of any of them "
+                "means nothing: quote the largest P of one.",
+                fmt::join(alike, ", "));
+        }
+    }
+    return {};
+}
 
 std::string together_text(CampaignSpec const& spec, std::span<BodiesTogether const> together, double confidence) {
     constexpr std::size_t most_pairs = 6;  // columns that a terminal holds
     std::string text;
+    if (auto const note = alternatives_text(spec); !note.empty() && !together.empty()) {
+        text += "\n" + wrapped("note: " + note, 6);
+    }
     for (auto const& of : together) {
         auto const shown = std::min(of.joint.pairs.size(), most_pairs);
         std::vector<std::string> heads;

@@ -8,6 +8,10 @@
 
 namespace overturn::output {
 
+/// Of bodies of one mass and one shape, which may be one cask under several assumptions, what P of any of them is then;
+/// empty: there are none.
+[[nodiscard]] std::string alternatives_text(CampaignSpec const& spec);
+
 /// \param confidence of the exact intervals
 [[nodiscard]] std::string together_text(CampaignSpec const& spec, std::span<BodiesTogether const> together,
                                         double confidence);

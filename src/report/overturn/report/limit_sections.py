@@ -82,7 +82,8 @@ def together(report, limit):
     head = ["level", "waves", f"any {passed(limit)}", "undecided", "P(any)", "lower", "upper", "if independent",
             *(f"φ {' / '.join(pair)}" for pair, _ in shown)]
     rows.append(["all levels"] + [""] * 7 + [value_of(levels[0]["phi_pooled"], 2) for _, levels in shown])
-    return [fold(f"any body {passed(limit)}", table(f"any body {passed(limit)}; φ: correlation of two", head, rows))]
+    return [fold(f"any body {passed(limit)}", table(f"any body {passed(limit)}; φ: correlation of two", head, rows,
+                                                   report.notes["together"]))]
 
 
 def of_the_levels(report):
