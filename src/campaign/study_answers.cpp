@@ -152,13 +152,13 @@ constexpr std::array questions{
     StudyQuestion{"--spectrum-unit", "gal", "unit of the spectrum file's ordinates, if it does not state it",
                   &Answers::spectrum_unit, take_as_it_is, false, of_spectrum_file,
                   "used only if --spectrum names a file"},
-    StudyQuestion{"--components", "1|2|3",
-                  "components of the motion: 1 (one horizontal), 2 (both horizontal), 3 (and vertical)",
-                  &Answers::components,
-                  [](std::string const& text) {
-                      check_word(text, {"1", "2", "3"});
-                  },
-                  false, of_spectrum, "used only with --spectrum"},
+    StudyQuestion{
+        "--components", "1|2|3", "components of the motion: 1 (one horizontal), 2 (both horizontal), 3 (and vertical)",
+        &Answers::components,
+        [](std::string const& text) {
+            validate(text == "1" || text == "2" || text == "3", "'{}' (no such number). Choose 1, 2 or 3", text);
+        },
+        false, of_spectrum, "used only with --spectrum"},
     StudyQuestion{"--duration", "'120 s'", "duration of every wave", &Answers::duration,
                   check_quantity<Dimension::time>, false, of_spectrum, "used only with --spectrum"},
     StudyQuestion{"--acceptance", "none|srp-3.7.1|japan",

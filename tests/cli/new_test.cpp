@@ -208,6 +208,8 @@ TEST_F(New, CaskAndPalletAreParts) {
     expect_refused(pallet({"--centre-height", "2.6 m"}), "--centre-height '2.6 m' (it follows from cask and pallet");
     expect_refused(pallet({"--pallet-friction", "loose"}),
                    "--pallet-friction 'loose' (must be a number from 0, or fastened)");
+    expect_refused(joined(cask, {"--spectrum", "mlit-ch1", "--design-basis", "600 gal", "--components", "4"}),
+                   "--components '4' (no such number). Choose 1, 2 or 3");
     expect_refused({"--mass", "117 t", "--pallet-height", "35 cm"},
                    "--pallet-height '35 cm' (used only with --pallet-mass)");
     expect_refused({"--pallet-mass", "21 t", "--mass", "1 t"},
