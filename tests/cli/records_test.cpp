@@ -158,6 +158,15 @@ TEST_F(RecordsOnTheLine, ScaledRecordsAreReported) {
     }
 }
 
+// the largest factor is one number in the warning and in the caution, rounded up: 9.0536 is 9.06.
+TEST_F(RecordsOnTheLine, TheLargestFactorIsOneNumber) {
+    double const peak = json::parse(overturn(folder, {"spectrum", "--wave", "rests.csv", "--json"}).out)["pga_mps2"];
+    folder.write("c.toml", campaign("files=['rests.csv']\n", "pga", fmt::format("{:.12g}", 9.0536 * peak)));
+    auto const run = overturn(folder, {"run", "c.toml"});
+    EXPECT_NE(unwrapped(run.err).find("is scaled by up to 9.06: beyond 5"), std::string::npos) << run.err;
+    EXPECT_NE(unwrapped(run.out).find("is scaled by more than 5, up to 9.06: "), std::string::npos) << run.out;
+}
+
 // how many records drift, or are scaled by more than five, stands with the answer: also where the file
 // has their hashes alone, so that nobody knows.
 TEST_F(RecordsOnTheLine, DriftAndScaleStandWithTheAnswer) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign/detail/wave_rows.hpp"
+#include "core/outward.hpp"
 #include "motion/intensity.hpp"
 
 namespace overturn {
@@ -52,7 +53,7 @@ std::string warning_of_scaled_records(CampaignSpec const& spec) {
     return fmt::format(
         "{} is scaled by up to {:.3g}{}: beyond {:g} a record's duration and long periods are "
         "hardly those of so strong a motion. Choose stronger records, or lower levels",
-        spec.source->called(which), most,
+        spec.source->called(which), rounded_up(most),
         count > 1 ? fmt::format(", and {} more by above {:g}", count - 1, most_scaled) : "", most_scaled);
 }
 
