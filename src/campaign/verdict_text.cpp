@@ -5,10 +5,19 @@
 #include "response/registry.hpp"
 
 namespace overturn {
+namespace {
+
+// A default that nobody typed is the round number that it is: 1 mm, not 0.03937 in.
+std::string threshold_text(double threshold_m, double usual_m, IntensityUnit const& length) {
+    return (threshold_m == usual_m ? IntensityUnit{"mm", 1e-3} : length).text(threshold_m);
+}
+
+}  // namespace
 
 std::string verdict_text(VerdictEntry const& verdict, MovementSpec const& movement, IntensityUnit const& length) {
-    auto const slip = length.text(movement.slip_m);
-    auto const rise = length.text(movement.uplift_m);
+    MovementSpec const usual;
+    auto const slip = threshold_text(movement.slip_m, usual.slip_m, length);
+    auto const rise = threshold_text(movement.uplift_m, usual.uplift_m, length);
     if (movement.by_model) {
         return std::string(verdict.summary);
     }

@@ -9,7 +9,8 @@
 
 namespace overturn {
 
-/// "slid less than 1 mm, and no edge of its base rose 1 mm": the meaning of a verdict. \param length unit of thresholds
+/// "slid less than 1 mm, and no edge of its base rose 1 mm": the meaning of a verdict. \param length unit of
+/// thresholds; defaults are in mm
 [[nodiscard]] std::string verdict_text(VerdictEntry const& verdict, MovementSpec const& movement,
                                        IntensityUnit const& length);
 

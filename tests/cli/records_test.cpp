@@ -414,8 +414,21 @@ TEST_F(RecordsOnTheLine, ASitesNearestLimitIsALength) {
     auto const run = overturn(folder, {"run", "c.toml"});
     ASSERT_EQ(run.code, 0) << run.err;
     EXPECT_NE(run.out.find("  400 mm to touches\n"), std::string::npos) << run.out;
-    EXPECT_NE(run.out.find("\nat-rest: slid less than 1 mm, and no edge of its base rose 1 mm\n"), std::string::npos)
-        << run.out;
+    char const* const by_default = "\nat-rest: slid less than 1 mm, and no edge of its base rose 1 mm\n";
+    EXPECT_NE(run.out.find(by_default), std::string::npos) << run.out;
+    // In inches a default that nobody typed stays 1 mm; what was typed is as it was typed.
+    auto const in_inches = campaign("files=['rests.csv']\n", "pga", "'0.01 g'") + "[site]\nwall='15 in'\n";
+    auto const answered = [&](std::string const& more) {
+        folder.write("i.toml", in_inches + more);
+        std::filesystem::remove(folder / "i.h5");
+        return overturn(folder, {"run", "i.toml"}).out;
+    };
+    auto const usual = answered("");
+    EXPECT_NE(usual.find("  15 in to touches\n"), std::string::npos) << usual;
+    EXPECT_NE(usual.find(by_default), std::string::npos) << usual;
+    auto const typed = answered("[measures]\nslid_from='0.1 in'\n");
+    EXPECT_NE(typed.find("\nat-rest: slid less than 0.1 in, and no edge of its base rose 1 mm\n"), std::string::npos)
+        << typed;
 }
 
 // the program reads what it wrote, without a word on units.
