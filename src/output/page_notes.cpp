@@ -53,7 +53,7 @@ Json page_notes(Answered const& of) {
          "Only base, centre of gravity and inertia enter the equations."},
         {"criterion",
          "False safe: the measure is below V_Ereq, yet the body overturned. False alarm: it is above V_Ereq, yet the "
-         "body did not overturn."},
+         "body did not overturn. An interval counts all trials of a wave as one, since they may end alike."},
         {"response", "V_resp / V_Ereq of trials that moved but did not overturn: median (5th to 95th percentile)."},
         {"rare",
          "An estimate that is not trusted or not resolved is not reported. In its place stands the upper bound from "

@@ -339,6 +339,11 @@ TEST_F(Fit, ResultsFile) {
     ASSERT_EQ(fit["criterion"].size(), 4U);
     EXPECT_EQ(fit["criterion"][0]["false_safe_share_of"].get<int>(),
               fit["criterion"][0]["false_safe"].get<int>() + fit["criterion"][0]["true_safe"].get<int>());
+    auto const criterion = overturn(folder, {"fit", "c.h5", "--section", "criterion"}).out;
+    EXPECT_NE(criterion.find("\n[lower, upper]: 95 % interval; it counts all trials of a wave as one, since they may "
+                             "end alike\n"),
+              std::string::npos)
+        << criterion;
     ASSERT_EQ(fit["verdict"].size(), 2U);
     auto const& at_basis = fit["probabilities"][0];
     EXPECT_EQ(at_basis["measure"], "pga");

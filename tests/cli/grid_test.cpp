@@ -57,6 +57,8 @@ class Grid : public ::testing::Test {
 // closed forms of Zhang & Makris 2001).
 TEST_F(Grid, MapMeetsClosedForms) {
     run();
+    EXPECT_EQ(overturn(folder, {"fit", "c.h5", "--section", "criterion"}).out.find("[lower, upper]"), std::string::npos)
+        << "a grid is no sample: its shares have no interval";
     auto const fit = fitted();
     auto const& lines = fit.at("grid");
     ASSERT_EQ(lines.size(), 2U);

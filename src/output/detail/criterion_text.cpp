@@ -1,5 +1,7 @@
 #include "output/detail/criterion_text.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -19,6 +21,16 @@ std::string share_line(char const* what, Share const& share) {
                           ? std::string()
                           : fmt::format(" = {:.3g} {}", share.value(), interval_text(share.interval));
     return fmt::format("    {}: {} of {}{}\n", what, share.count, share.of, ends);
+}
+
+// Waves on a grid are no sample: their shares have none.
+bool has_intervals(BodyAnalysis const& body) {
+    return std::ranges::any_of(body.criterion, [](MeasuredCriterion const& criterion) {
+        auto const& s = criterion.study;
+        return std::ranges::any_of(std::array{&s.safe_but_overturned, &s.unsafe_but_stood}, [](Share const* share) {
+            return share->of > 0 && !std::isnan(share->interval.lower);
+        });
+    });
 }
 
 std::string criterion_text(MeasuredCriterion const& criterion) {
@@ -79,6 +91,11 @@ std::string verdict_text(CriterionWords const& words) {
 
 std::string criteria_text(std::span<BodyAnalysis const> bodies, double confidence) {
     std::string text;
+    if (std::ranges::any_of(bodies, &has_intervals)) {
+        text = fmt::format(
+            "[lower, upper]: {:g} % interval; it counts all trials of a wave as one, since they may end alike\n",
+            100 * confidence);
+    }
     for (auto const& body : bodies) {
         text += fmt::format("\n{}\n", body.body);
         for (auto const& criterion : body.criterion) {
