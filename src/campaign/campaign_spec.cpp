@@ -77,7 +77,9 @@ std::vector<BodySpec> read_bodies(Table const& root, InputFiles& files) {
 }
 
 // PGV and PGD of a record whose baseline drifts are not the ground's.
-void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& source, std::int64_t waves) {
+void check_drift(Table const& levels, CampaignSpec const& campaign) {
+    auto const& spec = campaign.levels;
+    auto const& source = *campaign.source;
     if (!spec.measure->drifts) {
         return;
     }
@@ -85,16 +87,18 @@ void check_drift(Table const& levels, LevelSpec const& spec, WaveSource const& s
     if (auto const why = spec.measure == measure_named("pgd") ? source.pgd_drift() : ""; !why.empty()) {
         levels.fail("measure", fmt::format("pgd of waves that drift ({}). Scale by pga or pgv", why));
     }
+    auto const waves = source.about().available ? campaign.wave_count : 0;
     for (std::int64_t wave = 0; wave < waves; ++wave) {
         auto const drift = source.drift(wave);
         if (!drift) {
             return;
         }
         if (drift->excessive()) {
-            levels.fail("measure", fmt::format("{} of wave {} (which {}: that is its baseline's, not the ground's). "
-                                               "State a baseline in [waves], for example baseline = {{high_pass = "
-                                               "\"0.05 Hz\"}}, or scale by pga",
-                                               spec.measure_name(), wave, drift->text()));
+            levels.fail("measure",
+                        fmt::format("{} of wave {} (which {}: that is its baseline's, not the ground's). "
+                                    "State a baseline in [waves], for example baseline = {{high_pass = "
+                                    "\"0.05 Hz\"}}, or scale by pga",
+                                    spec.measure_name(), wave, drift->text(motion_units(typed_units(campaign)))));
         }
     }
 }
@@ -159,7 +163,7 @@ void check_pulses(Table const& root, CampaignSpec const& spec) {
 
 void refuse_drifting_levels(CampaignInput const& input, CampaignSpec const& spec) {
     auto const root = Table::parse(input.text, input.name, input.settings);
-    check_drift(root.child("levels"), spec.levels, *spec.source, spec.source->about().available ? spec.wave_count : 0);
+    check_drift(root.child("levels"), spec);
 }
 
 bool CampaignSpec::has_target() const {

@@ -76,6 +76,13 @@ Unit of_slip(Unit const& distance) {
     return distance->symbol == "ft" ? unit_named("in", Dimension::length) : distance;
 }
 
+// Feet and inches are their own system: there nobody reads m/s.
+Unit velocity_beside(Unit const& length) {
+    return length && (length->symbol == "ft" || length->symbol == "in")
+               ? unit_named(length->symbol + "/s", Dimension::velocity)
+               : std::nullopt;
+}
+
 Unit first_of(std::initializer_list<Source> sources) {
     for (auto const& source : sources) {
         if (auto unit = source()) {
@@ -85,11 +92,11 @@ Unit first_of(std::initializer_list<Source> sources) {
     return std::nullopt;
 }
 
-// \param typed the unit of a dimension; empty: nobody typed one
-template <class Typed> TypedUnits units_by(Typed const& typed) {
+// \param typed the unit of a dimension; empty: nobody typed one \param bodies that of their lengths
+template <class Typed> TypedUnits units_by(Typed const& typed, Unit const& bodies) {
     TypedUnits units;
     units.mass = typed(Dimension::mass).value_or(units.mass);
-    units.length = typed(Dimension::length).value_or(units.length);
+    units.length = bodies.value_or(units.length);
     units.acceleration = typed(Dimension::acceleration).value_or(units.acceleration);
     units.velocity = typed(Dimension::velocity).value_or(units.velocity);
     units.pressure = typed(Dimension::pressure).value_or(units.pressure);
@@ -103,18 +110,30 @@ std::optional<IntensityUnit> typed_unit(CampaignSpec const& spec, Dimension dime
     return first_of({[&] { return of_levels(spec.levels, dimension); }, [&] { return of_limits(spec, dimension); },
                      [&] { return of_keys(spec.inputs, dimension, dimension == Dimension::length ? "site" : ""); },
                      [&] { return of_keys(spec.inputs, dimension, "bodies"); },
-                     [&] { return of_target(spec, dimension); }});
+                     [&] { return of_target(spec, dimension); },
+                     [&] {
+                         return dimension == Dimension::velocity
+                                    ? velocity_beside(of_keys(spec.inputs, Dimension::length, "bodies"))
+                                    : Unit();
+                     }});
 }
 
 TypedUnits typed_units(CampaignSpec const& spec) {
-    auto units = units_by([&](Dimension dimension) { return typed_unit(spec, dimension); });
-    units.length = of_keys(spec.inputs, Dimension::length, "bodies").value_or(TypedUnits().length);
-    return units;
+    return units_by([&](Dimension dimension) { return typed_unit(spec, dimension); },
+                    of_keys(spec.inputs, Dimension::length, "bodies"));
 }
 
 TypedUnits typed_units(std::span<config::InputValue const> inputs) {
-    return units_by([&](Dimension dimension) { return of_keys(inputs, dimension, ""); });
+    auto const lengths = of_keys(inputs, Dimension::length, "");
+    return units_by(
+        [&](Dimension dimension) {
+            return first_of({[&] { return of_keys(inputs, dimension, ""); },
+                             [&] { return dimension == Dimension::velocity ? velocity_beside(lengths) : Unit(); }});
+        },
+        lengths);
 }
+
+MotionUnits motion_units(TypedUnits const& units) { return {units.velocity.symbol, units.length.symbol}; }
 
 IntensityUnit shown_unit(TypedUnits const& units, std::string const& stored) {
     return stored == "m"      ? units.slip

@@ -9,18 +9,23 @@
 #include "campaign/text_units.hpp"
 #include "config/table.hpp"
 #include "core/units.hpp"
+#include "motion/drift.hpp"
 #include "stats/intensity_unit.hpp"
 
 namespace overturn {
 
 /// The unit in which a campaign states quantities of a dimension; of several the first that stands in the levels, in a
 /// limit state, in its other keys, in a target spectrum. Empty where it states none, or bare numbers.
+/// A velocity that nobody states is in ft/s or in/s where bodies are in ft or in.
 /// For lengths it is that of distances (limit states and [site]), else that of the bodies.
 [[nodiscard]] std::optional<IntensityUnit> typed_unit(CampaignSpec const& spec, Dimension dimension);
 
 [[nodiscard]] TypedUnits typed_units(CampaignSpec const& spec);
 /// The same of a body file, from its values.
 [[nodiscard]] TypedUnits typed_units(std::span<config::InputValue const> inputs);
+
+/// For texts of the ground's motion.
+[[nodiscard]] MotionUnits motion_units(TypedUnits const& units);
 
 /// The unit for texts and tables of a response that is stored in `stored`, an SI symbol: of "m" that of slip, of "rad"
 /// degrees.

@@ -15,6 +15,7 @@
 #include "campaign/plan.hpp"
 #include "campaign/rocking_band.hpp"
 #include "campaign/trial.hpp"
+#include "campaign/typed_units.hpp"
 #include "core/units.hpp"
 #include "motion/usual_time_step.hpp"
 #include "response/registry.hpp"
@@ -28,9 +29,10 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
     std::int64_t count = 0;
     bool warned = false;
     std::string first;
+    auto const units = motion_units(typed_units(spec));
     each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
         if (drift.any_excessive() && count++ == 0) {
-            first = fmt::format("{} {}", spec.source->called(wave), drift.text());
+            first = fmt::format("{} {}", spec.source->called(wave), drift.text(units));
         }
     });
     constexpr double mostly = 0.5;
@@ -41,7 +43,7 @@ void add_drifts(CampaignSpec const& spec, Lines& lines) {
             lines.push_back(fmt::format(
                 "{} {}: levels by pgd scale by what it is left at, fling or drift. State waves.baseline if it "
                 "is drift",
-                spec.source->called(wave), drift.text()));
+                spec.source->called(wave), drift.text(units)));
         }
     });
     if (count > 0) {
@@ -320,10 +322,11 @@ std::vector<std::string> warnings_of(CampaignSpec const& spec) {
 std::vector<std::string> ends_of_records(CampaignSpec const& spec) {
     constexpr std::int64_t most = 20;
     Lines lines;
+    auto const units = typed_units(spec);
     each_drift(spec, [&](std::int64_t wave, Drift const& drift) {
         if (wave < most) {
-            lines.push_back(
-                fmt::format("{}: PGV {:.4g} m/s, PGD {:.4g} m, {}", wave, drift.pgv_mps, drift.pgd_m, drift.text()));
+            lines.push_back(fmt::format("{}: PGV {}, PGD {}, {}", wave, units.velocity.text(drift.pgv_mps),
+                                        units.length.text(drift.pgd_m), drift.text(motion_units(units))));
         }
     });
     return lines;

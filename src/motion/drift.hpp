@@ -3,19 +3,26 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "motion/ground_motion.hpp"
 
 namespace overturn {
 
+/// Symbols of units for texts of a motion.
+struct MotionUnits {
+    std::string velocity = "m/s", length = "m";
+};
+
 /// Residuals of the horizontal component, from rest.
 struct Drift {
-    double pgv_mps = 0;             ///< [m/s]
-    double pgd_m = 0;               ///< [m]
-    double end_velocity_mps = 0;    ///< [m/s]
-    double end_displacement_m = 0;  ///< [m]
-    double factor = 1;              ///< by which the record was multiplied
-    std::string others = {};        ///< residuals of other components where excessive; "": nowhere
+    double pgv_mps = 0;              ///< [m/s]
+    double pgd_m = 0;                ///< [m]
+    double end_velocity_mps = 0;     ///< [m/s]
+    double end_displacement_m = 0;   ///< [m]
+    double factor = 1;               ///< by which the record was multiplied
+    std::string component = {};      ///< "": horizontal
+    std::vector<Drift> others = {};  ///< of other components, those that are excessive
 
     /// |end velocity| over PGV; 0 where nothing moves.
     [[nodiscard]] double share() const;
@@ -24,8 +31,8 @@ struct Drift {
     [[nodiscard]] bool excessive() const;
     /// True if that, or another component, is.
     [[nodiscard]] bool any_excessive() const { return excessive() || !others.empty(); }
-    /// "ends at 0.012 m/s (3.1 % of its PGV), 0.32 m from where it began"
-    [[nodiscard]] std::string text() const;
+    /// "ends at 0.012 m/s (3.1 % of its PGV), 0.32 m from where it began; its vertical component ends at ..."
+    [[nodiscard]] std::string text(MotionUnits const& units = {}) const;
 };
 
 /// \param factor by which the record was multiplied

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -68,7 +69,7 @@ TEST_F(RecordsOnTheLine, DriftingPgvIsNoLevel) {
     auto const refused = overturn(folder, {"run", "c.toml"});
     EXPECT_EQ(refused.code, 2);
     EXPECT_TRUE(is_one_error_line(refused.err));
-    for (char const* part : {"c.toml:12:9: levels.measure: pgv of wave 1 (which ends at 1.76 m/s",
+    for (char const* part : {"c.toml:12:9: levels.measure: pgv of wave 1 (which ends at 176 kine (",
                              "State a baseline in [waves], for example baseline = {high_pass = \"0.05 Hz\"}"}) {
         EXPECT_NE(refused.err.find(part), std::string::npos) << refused.err;
     }
@@ -123,6 +124,19 @@ TEST_F(RecordsOnTheLine, DriftIsReportedWhereLevelsDoNotNeedIt) {
     EXPECT_LT(std::abs(spectrum("polynomial")["residual_velocity_mps"].get<double>()), 1e-6);
     EXPECT_LT(spectrum("polynomial")["pgv_mps"].get<double>(), 0.36);
     EXPECT_EQ(overturn(folder, {"spectrum", "--wave", "rests.csv"}).out.find("drifts"), std::string::npos);
+}
+
+// in ft, where bodies are in ft; 4.4 gal over 40 s are 1.76 m/s and 35.2 m.
+TEST_F(RecordsOnTheLine, DriftIsInTheUnitsOfTheCampaign) {
+    auto in_feet = campaign("files=['drifts.csv']\n", "pga", "'0.3 g'");
+    auto const at = in_feet.find("'0.9 m'");
+    in_feet.replace(at, 7, "'3 ft'");
+    folder.write("c.toml", in_feet);
+    auto const plan = planned(folder, {"c.toml", "--full"});
+    auto const text = unwrapped(plan.out);
+    EXPECT_NE(text.find("record 'drifts.csv' ends at 5.77 ft/s ("), std::string::npos) << text;
+    EXPECT_TRUE(std::regex_search(text, std::regex("of its PGV\\), 11[56] ft from where it began"))) << text;
+    EXPECT_EQ(text.find(" m/s"), std::string::npos) << text;
 }
 
 // what was read is said, so that a reader can be checked: format, components, unit, step, count, duration.

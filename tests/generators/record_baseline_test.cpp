@@ -218,9 +218,14 @@ TEST(Drift, IsLookedForInEveryComponent) {
     auto const drift = drift_of(motion);
     EXPECT_FALSE(drift.excessive());
     EXPECT_TRUE(drift.any_excessive());
-    EXPECT_EQ(drift.others.find("; its vertical component ends at 18 m/s"), 0U) << drift.others;
-    EXPECT_EQ(drift.others.find("transverse"), std::string::npos);
-    EXPECT_NE(drift.text().find(drift.others), std::string::npos);
+    ASSERT_EQ(drift.others.size(), 1U);
+    EXPECT_NE(drift.text().find("; its vertical component ends at 18 m/s ("), std::string::npos) << drift.text();
+    EXPECT_EQ(drift.text().find("transverse"), std::string::npos);
+    // 18 m/s and 0.3 * 60^2 / 2 m, over 0.3048 m.
+    auto const in_feet = drift.text({.velocity = "ft/s", .length = "ft"});
+    EXPECT_NE(in_feet.find("ends at 59.1 ft/s ("), std::string::npos) << in_feet;
+    EXPECT_NE(in_feet.find(" 1.77e+03 ft from where it began"), std::string::npos) << in_feet;
+    EXPECT_EQ(in_feet.find(" m"), std::string::npos) << in_feet;
 }
 
 }  // namespace
