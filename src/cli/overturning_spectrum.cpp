@@ -14,6 +14,7 @@
 #include "core/units.hpp"
 #include "generators/pulse_shape.hpp"
 #include "motion/intensity.hpp"
+#include "output/record_text.hpp"
 #include "rocking/rocking_models.hpp"
 
 namespace overturn::cli {
@@ -42,6 +43,7 @@ void take_body(output::OverturningSpectrum& spectrum, OverturningOptions const& 
     auto plane = plane_body(body, "an overturning spectrum");
     spectrum.block = plane.block;
     spectrum.body = plane.spec.name;
+    spectrum.units = plane.spec.units;
     spectrum.left_out = std::move(plane.left_out);
 }
 
@@ -96,6 +98,7 @@ void scale_record(output::OverturningSpectrum& spectrum, OverturningOptions cons
     auto const& motion = placed.motion;
     note_warnings(warnings_of(motion));
     spectrum.of_record = true;
+    spectrum.units = output::units_of(placed, spectrum.units);
     spectrum.shaking = std::filesystem::path(record.wave).filename().string();
     spectrum.peak_mps2 = peak_of(motion.horizontal_mps2);
     Excitation const shaking{.horizontal_mps2 = motion.horizontal_mps2,

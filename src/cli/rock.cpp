@@ -13,6 +13,7 @@
 #include "cli/verbs.hpp"
 #include "core/error.hpp"
 #include "motion/drift.hpp"
+#include "output/record_text.hpp"
 #include "output/response_text.hpp"
 #include "report/figure.hpp"
 #include "response/model_selector.hpp"
@@ -34,8 +35,10 @@ int rock(RockOptions const& options) {
     if (!options.plot.empty()) {
         report::check_figure_name(options.plot);
     }
-    auto const spec = load_body(options.body);
+    auto spec = load_body(options.body);
     auto const record = load_motion(options.record);
+    spec.units = output::units_of(record, spec.units);
+    auto const velocity = options.unit.beside(spec.units);
     validate_rocking_plane(record.direction, {options.record.wave});
     auto const& motion = record.motion;
     note_warnings(warnings_of(spec));
@@ -78,14 +81,14 @@ int rock(RockOptions const& options) {
             "{} under {}{}: {}", spec.name, std::filesystem::path(options.record.wave).filename().string(),
             options.scale == 1 ? "" : fmt::format(" times {:g}", options.scale), entry_of(response.verdict).name);
         MeasureSpec const usual;
-        draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual},
-                     {{"velocity", options.unit.alone().json()}}, options.plot);
+        draw_history(kept, {title, spec, spec.body, motion, options.scale, &usual}, {{"velocity", velocity.json()}},
+                     options.plot);
     }
     output::OneResponse const answer{spec, record, drift_of(motion), response, selector, extra};
     if (options.json) {
         fmt::print("{}\n", output::json_of(answer).dump(2));
     } else {
-        fmt::print("{}", output::text_of(answer, options.unit.alone()));
+        fmt::print("{}", output::text_of(answer, velocity));
     }
     if (response.verdict == Verdict::failed) {
         throw SystemError(fmt::format("no verdict ({}). Check unit and scale", entry_of(response.failure).summary));

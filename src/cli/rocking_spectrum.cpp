@@ -13,6 +13,7 @@
 #include "core/parts_of.hpp"
 #include "core/units.hpp"
 #include "motion/intensity.hpp"
+#include "output/record_text.hpp"
 #include "rocking/rocking_models.hpp"
 
 namespace overturn::cli {
@@ -37,6 +38,7 @@ std::vector<RockingBlock> stated_blocks(std::string const& alphas, std::optional
 RockingBlock block_of_file(output::RockingSpectrum& spectrum, std::string const& body) {
     auto plane = plane_body(body, "a rocking spectrum");
     spectrum.body = plane.spec.name;
+    spectrum.units = plane.spec.units;
     spectrum.left_out = std::move(plane.left_out);
     spectrum.body_period_s = 2 * pi / plane.block.p_radps;
     return plane.block;
@@ -87,6 +89,7 @@ output::RockingSpectrum rocking_spectrum(RockingSpectrumOptions const& options, 
     validate_rocking_plane(placed.direction, {record.wave});
     note_warnings(warnings_of(placed.motion));
     spectrum.record = std::filesystem::path(record.wave).filename().string();
+    spectrum.units = output::units_of(placed, spectrum.units);
     spectrum.pga_mps2 = peak_of(placed.motion.horizontal_mps2);
     Excitation const shaking{.horizontal_mps2 = placed.motion.horizontal_mps2,
                              .vertical_mps2 = placed.motion.vertical_mps2,

@@ -131,22 +131,24 @@ int spectrum(SpectrumOptions const& options) {
     auto spectra = spectra_of(
         motion, options.damping,
         options.periods.empty() ? default_periods() : number_grid(options.periods, "--periods", shortest_s, longest_s));
+    spectra.units = output::units_of(record);
     std::optional<BodySpec> body;
     if (!options.body.empty()) {
         validate_rocking_plane(record.direction, {options.record.wave});
         body = load_body(options.body);
         note_warnings(warnings_of(*body));
         spectra.energy = energy_for(*body, motion);
+        spectra.units = output::units_of(record, body->units);
     }
+    auto const velocity = options.unit.beside(spectra.units);
     if (!options.plot.empty()) {
-        draw_record(options.record.wave, record, options.damping, body, options.unit.alone(), options.plot);
+        draw_record(options.record.wave, record, options.damping, body, velocity, options.plot);
     }
     if (options.json) {
         fmt::print("{}\n", output::json_of(record, spectra).dump(2));
     } else {
         constexpr std::size_t every_fifth = 5;
-        fmt::print("{}",
-                   output::text_of(record, spectra, options.unit.alone(), options.periods.empty() ? every_fifth : 1));
+        fmt::print("{}", output::text_of(record, spectra, velocity, options.periods.empty() ? every_fifth : 1));
     }
     return done;
 }

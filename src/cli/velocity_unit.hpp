@@ -18,14 +18,19 @@ struct VelocityUnit {
 
     void offered_by(Verb& verb) {
         verb.takes("--velocities", requested,
-                   "unit of velocities in figures and tables: kine or m/s; default: that of the campaign", "UNIT");
+                   "unit of velocities in figures and tables: kine or m/s; default: that of the campaign or body",
+                   "UNIT");
     }
     /// \throws InputError where what was requested is no unit of velocity
     void check() const { (void)alone().si(); }
     /// Without a campaign.
     [[nodiscard]] output::ShownVelocity alone() const { return {requested.value_or(output::ShownVelocity::usual)}; }
+    /// Where a body's file, or a record, states units.
+    [[nodiscard]] output::ShownVelocity beside(TypedUnits const& units) const {
+        return {requested.value_or(units.velocity.symbol)};
+    }
     [[nodiscard]] output::ShownVelocity of_campaign(CampaignSpec const& spec) const {
-        return {requested.value_or(typed_units(spec).velocity.symbol)};
+        return beside(typed_units(spec));
     }
     /// Unit of measures in a table; empty where none was requested.
     [[nodiscard]] std::optional<IntensityUnit> measures() const {

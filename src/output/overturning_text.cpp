@@ -37,11 +37,16 @@ std::string words_of(Fate fate) {
 Json ranges_json(OverturningSpectrum const& spectrum, OverturningPoint const& point) {
     auto ranges = Json::array();
     for (auto const& range : point.found.ranges) {
+        double const from = range.from * spectrum.peak_mps2;
+        double const to = range.to * spectrum.peak_mps2;
         Json one{{"fate", name_of(range.fate)},
-                 {"from_mps2", range.from * spectrum.peak_mps2},
-                 {"to_mps2", range.to * spectrum.peak_mps2},
-                 {"from_over_alpha_g", range.from * spectrum.peak_mps2 / spectrum.alpha_g_mps2()},
-                 {"to_over_alpha_g", range.to * spectrum.peak_mps2 / spectrum.alpha_g_mps2()}};
+                 {"from_mps2", from},
+                 {"to_mps2", to},
+                 {"from_over_alpha_g", from / spectrum.alpha_g_mps2()},
+                 {"to_over_alpha_g", to / spectrum.alpha_g_mps2()},
+                 {"stated",
+                  {{"from", stated_json(from, spectrum.units.acceleration)},
+                   {"to", stated_json(to, spectrum.units.acceleration)}}}};
         if (spectrum.of_record) {
             one["from_factor"] = range.from;
             one["to_factor"] = range.to;
@@ -62,9 +67,10 @@ std::string head_of(OverturningSpectrum const& spectrum) {
     bool const linear = spectrum.scan.accuracy.restoring == Restoring::linear;
     return fmt::format(
                "{} under {}{}: {}rigid block on two corners, in one plane, without slip\n"
-               "alpha {:.5g} deg, p {:.5g} rad/s, e {:.5g}; alpha g = {:.5g} m/s2\n",
+               "alpha {:.5g} deg, p {:.5g} rad/s, e {:.5g}; alpha g = {:.5g} {}\n",
                spectrum.body, spectrum.shaking, parameters_text(spectrum), linear ? "linearised " : "",
-               block.alpha_rad * 180 / pi, block.p_radps, block.restitution, spectrum.alpha_g_mps2())
+               block.alpha_rad * 180 / pi, block.p_radps, block.restitution,
+               spectrum.units.acceleration.of(spectrum.alpha_g_mps2()), spectrum.units.acceleration.symbol)
            + left_out_text(spectrum.left_out);
 }
 
@@ -126,6 +132,10 @@ Json json_of(OverturningSpectrum const& spectrum) {
         if (spectrum.half_cycles) {
             one["closed_form_over_alpha_g"] = sine_without_impact(spectrum.omega_over_p(point), *spectrum.half_cycles);
         }
+        auto const& unit = spectrum.units.acceleration;
+        one["stated"] = {{"uplift", stated_json(uplift, unit)},
+                         {"stands_to", stated_json(stands, unit)},
+                         {"overturning", stated_json(least, unit)}};
         one["ranges"] = ranges_json(spectrum, point);
         points.push_back(std::move(one));
     }
@@ -134,8 +144,10 @@ Json json_of(OverturningSpectrum const& spectrum) {
         json["gamma"] = spectrum.parameters->gamma;
         json["phase_rad"] = spectrum.parameters->phase_rad;
     }
+    json["stated"]["alpha_g"] = stated_json(spectrum.alpha_g_mps2(), spectrum.units.acceleration);
     if (spectrum.of_record) {
         json["pga_mps2"] = spectrum.peak_mps2;
+        json["stated"]["pga"] = stated_json(spectrum.peak_mps2, spectrum.units.acceleration);
     }
     json["left_out"] = spectrum.left_out;
     json["alpha_rad"] = spectrum.block.alpha_rad;
@@ -175,18 +187,20 @@ std::string text_of(OverturningSpectrum const& spectrum) {
     auto text = head_of(spectrum);
     auto const out = std::back_inserter(text);
     double const alpha_g = spectrum.alpha_g_mps2();
+    auto const& unit = spectrum.units.acceleration;
     if (spectrum.of_record) {
         auto const& found = spectrum.points.front().found;
-        fmt::format_to(out, "overturns from {} times the record on (PGA {:.5g} m/s2), uplifts from {:.5g} on\n{}",
-                       least_text(found, 1), spectrum.peak_mps2, found.uplift, wrapped(ranges_text(found, 1), 2));
+        fmt::format_to(out, "overturns from {} times the record on (PGA {:.5g} {}), uplifts from {:.5g} on\n{}",
+                       least_text(found, 1), unit.of(spectrum.peak_mps2), unit.symbol, found.uplift,
+                       wrapped(ranges_text(found, 1), 2));
     } else {
         fmt::format_to(out, "{:>8} {:>9} {:>9} {:>10} {:>8}  amplitudes over alpha g\n{:>8} {:>9} {:>9} {:>10} {:>8}\n",
-                       "omega/p", "f", "uplifts", "overturns", "over", "", "Hz", "m/s2", "m/s2", "alpha g");
+                       "omega/p", "f", "uplifts", "overturns", "over", "", "Hz", unit.symbol, unit.symbol, "alpha g");
         for (auto const& point : spectrum.points) {
             auto const& found = point.found;
-            auto const numbers =
-                fmt::format("{:>8.4g} {:>9.4g} {:>9.5g} {:>10} {:>8}  ", spectrum.omega_over_p(point),
-                            point.frequency_hz, found.uplift, least_text(found, 1), least_text(found, alpha_g));
+            auto const numbers = fmt::format("{:>8.4g} {:>9.4g} {:>9.5g} {:>10} {:>8}  ", spectrum.omega_over_p(point),
+                                             point.frequency_hz, unit.of(found.uplift), least_text(found, unit.si),
+                                             least_text(found, alpha_g));
             text += wrapped(ranges_text(found, alpha_g), numbers.size(), line_width, numbers);
         }
     }

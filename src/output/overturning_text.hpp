@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/text_units.hpp"
 #include "generators/pulse_shape.hpp"
 #include "output/json.hpp"
 #include "rocking/overturning_search.hpp"
@@ -27,6 +28,7 @@ struct OverturningSpectrum {
     OverturningScan scan;
     double peak_mps2 = 1;  ///< that a factor of 1 stands for: PGA of the record
     bool of_record = false;
+    TypedUnits units = {};  ///< of texts, and beside SI in JSON
     std::vector<OverturningPoint> points;
 
     [[nodiscard]] double omega_over_p(OverturningPoint const& point) const;

@@ -8,6 +8,7 @@
 
 #include "campaign/intensity_measure.hpp"
 #include "campaign/rocking_band.hpp"
+#include "campaign/text_units.hpp"
 #include "motion/drift.hpp"
 #include "motion/intensity.hpp"
 #include "motion/recording.hpp"
@@ -20,6 +21,10 @@ namespace overturn::output {
 
 /// Name of a measure's column with its unit: "cav_mps".
 [[nodiscard]] std::string key_of(IntensityMeasure const& measure);
+
+/// Units for texts on a record: those of the body's file, and where that states no acceleration, the unit of the
+/// record's numbers if it has a name. \param body without one: its defaults
+[[nodiscard]] TypedUnits units_of(PlacedRecord const& record, TypedUnits const& body = {});
 
 /// Facts of a record as it was read, for `record` of a JSON answer: format, components, unit, time step, samples,
 /// duration and changes. A reader of the JSON can check the record by them.
@@ -40,10 +45,11 @@ struct RecordSpectra {
     ResponseSpectrum response;
     std::vector<double> v_e_mps, v_e0_mps;
     std::optional<BodyEnergy> energy = {};
+    TypedUnits units = {};  ///< of texts, and beside SI in JSON
 };
 
 [[nodiscard]] Json json_of(PlacedRecord const& record, RecordSpectra const& spectra);
-/// \param every period of this number has a row
+/// \param unit of velocities \param every period of this number has a row
 [[nodiscard]] std::string text_of(PlacedRecord const& record, RecordSpectra const& spectra, ShownVelocity const& unit,
                                   std::size_t every);
 

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "campaign/typed_units.hpp"
 #include "campaign/verdict_text.hpp"
 #include "core/wrapped.hpp"
 #include "output/record_text.hpp"
@@ -38,11 +39,8 @@ std::string time_text(double time_s) { return std::isnan(time_s) ? "never" : fmt
 // A column of the model that answered, in the units of the body.
 std::string column_text(Field const& field, std::span<std::byte const> values, TypedUnits const& units) {
     double const value = field.type == FieldType::real ? real_at(values, field) : 0;
-    auto const number = field.type != FieldType::real ? value_json(values, field).dump()
-                        : field.units == "m"   ? fmt::format("{:.4g} {}", value / units.slip.si, units.slip.symbol)
-                        : field.units == "rad" ? fmt::format("{:.4g} deg", value * 180 / pi)
-                        : field.units == "1"   ? fmt::format("{:.4g}", value)
-                                               : fmt::format("{:.4g} {}", value, field.units);
+    auto const number =
+        field.type == FieldType::real ? shown_unit(units, field.units).text(value) : value_json(values, field).dump();
     return std::isnan(value) ? std::string()
                              : wrapped(fmt::format("{:<25}{}: {}", field.name, number, field.description), 25);
 }
@@ -163,8 +161,10 @@ std::string text_of(OneResponse const& of, ShownVelocity const& unit) {
     for (auto const& line : record.unread) {
         text += entry("not understood", line);
     }
-    text += entry("wave",
-                  drift.text() + (drift.any_excessive() ? ": its baseline drifts, correct it with --baseline" : ""));
+    auto units = motion_units(spec.units);
+    units.velocity = unit.symbol;
+    text += entry(
+        "wave", drift.text(units) + (drift.any_excessive() ? ": its baseline drifts, correct it with --baseline" : ""));
     return text + columns_text(of);
 }
 

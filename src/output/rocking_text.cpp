@@ -44,7 +44,9 @@ Json json_of(RockingSpectrum const& spectrum) {
         curves.push_back(
             {{"alpha_rad", curve.alpha_rad}, {"restitution", curve.restitution}, {"points", std::move(points)}});
     }
-    Json json{{"record", spectrum.record}, {"pga_mps2", spectrum.pga_mps2}};
+    Json json{{"record", spectrum.record},
+              {"pga_mps2", spectrum.pga_mps2},
+              {"stated", {{"pga", stated_json(spectrum.pga_mps2, spectrum.units.acceleration)}}}};
     if (spectrum.body_period_s) {
         json["body"] = spectrum.body;
         json["body_rocking_period_s"] = *spectrum.body_period_s;
@@ -73,9 +75,9 @@ std::string csv_of(RockingSpectrum const& spectrum) {
 
 std::string text_of(RockingSpectrum const& spectrum) {
     auto text = wrapped(fmt::format(
-        "largest rotation over alpha under {} (PGA {:.5g} m/s2): rigid blocks on two corners, in one plane, without "
+        "largest rotation over alpha under {} (PGA {:.5g} {}): rigid blocks on two corners, in one plane, without "
         "slip",
-        spectrum.record, spectrum.pga_mps2));
+        spectrum.record, spectrum.units.acceleration.of(spectrum.pga_mps2), spectrum.units.acceleration.symbol));
     auto const out = std::back_inserter(text);
     if (spectrum.body_period_s) {
         fmt::format_to(out, "{}: 2 pi / p = {:.5g} s\n", spectrum.body, *spectrum.body_period_s);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "campaign/text_units.hpp"
 #include "model/verdict.hpp"
 #include "output/json.hpp"
 
@@ -26,6 +27,7 @@ struct RockingSpectrum {
     std::optional<double> body_period_s = {};
     std::vector<std::string> left_out = {};  ///< what the body's file states and its block has not
     double pga_mps2 = 0;
+    TypedUnits units = {};  ///< of texts, and beside SI in JSON
     std::vector<RockingCurve> curves;
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <regex>
 #include <string>
+#include <tuple>
+#include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -211,7 +213,8 @@ TEST_F(Units, EverythingIsReadInTheUnitsOfTheCampaign) {
     }
     folder.write("w.csv", push);
     auto const rock = overturn(folder, {"rock", "--body", "b.toml", "--wave", "w.csv"});
-    EXPECT_NE(rock.out.find(" in at most, "), std::string::npos) << rock.out << rock.err;
+    expect_all(rock.out, {" in at most, ", " in/s"});
+    EXPECT_TRUE(std::regex_search(rock.out, std::regex("uplift\\s+at\\s+0\\.6524\\s+g,"))) << "b / h, " << rock.out;
     auto const history = folder.read("h.csv");
     EXPECT_NE(history.substr(0, history.find('\n')).find("_m,top_x_m,slip [in],slip_velocity [kine],x [in],"),
               std::string::npos)
@@ -284,8 +287,75 @@ TEST_F(Units, JsonHasWhatWasTypedBesideSi) {
     folder.write("w.csv", "time (s),acc (g)\n0,0\n0.01,0.9\n0.02,0.9\n0.03,0\n0.04,0\n");
     auto const one = json::parse(overturn(folder, {"rock", "--body", "b.toml", "--wave", "w.csv", "--json"}).out);
     expect_typed(one, "peak_rotation", "peak_rotation_rad", "deg", degree_rad);
-    expect_typed(one, "v_ereq", "v_ereq_mps", "m/s", 1);
+    expect_typed(one, "v_ereq", "v_ereq_mps", "in/s", inch_m);
     EXPECT_GT(one.at("peak_rotation_rad").get<double>(), 0);
+}
+
+// spectra of a record are in its unit, and in those of the body; where neither is typed, in SI.
+TEST_F(Units, SpectraOfARecordAreInThoseOfRecordAndBody) {
+    folder.write("b.toml", "mass='27.8 kip'\nbase_width='4 ft'\ncentre_height='2 ft'\ninertia='uniform-block'\n");
+    folder.write("w.csv", "time (s),acc (g)\n0,0\n0.01,0.9\n0.02,0.9\n0.03,0\n0.04,0\n");
+    folder.write("n.csv", "time,a\n0,0\n0.01,0.9\n0.02,0.9\n0.03,0\n0.04,0\n");
+    constexpr double foot_m = 0.3048;
+    auto const shown = [&](std::vector<std::string> const& more) {
+        auto arguments =
+            std::vector<std::string>{"spectrum", "--wave", more.empty() || more[0] != "--unit" ? "w.csv" : "n.csv"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        auto const ended = overturn(folder, arguments);
+        EXPECT_EQ(ended.code, 0) << ended.err;
+        return ended.out;
+    };
+    auto const heads = [&](std::vector<std::string> const& more) {
+        auto const text = single_blanks(shown(more));
+        auto const at = text.find("period s");
+        return text.substr(at, text.find('\n', at) - at);
+    };
+    std::vector<std::string> const with_body{"--periods", "0.5", "--body", "b.toml"};
+    EXPECT_EQ(heads({}), "period s Sa g pSv m/s Sd m V_E m/s V_E0 m/s");
+    EXPECT_EQ(heads({"--unit", "m/s2"}), "period s Sa m/s2 pSv m/s Sd m V_E m/s V_E0 m/s");
+    EXPECT_EQ(heads({"--unit", "gal"}), "period s Sa gal pSv m/s Sd m V_E m/s V_E0 m/s");
+    EXPECT_EQ(heads({"--unit", "2.5e-6 m/s2"}), "period s Sa m/s2 pSv m/s Sd m V_E m/s V_E0 m/s") << "of no name";
+    EXPECT_EQ(heads(with_body), "period s Sa g pSv ft/s Sd ft V_E ft/s V_E0 ft/s");
+
+    auto const text = single_blanks(shown(with_body));
+    EXPECT_EQ(text.find(" m/s,"), std::string::npos) << text;
+    EXPECT_EQ(text.find(" m,"), std::string::npos) << text;
+    auto const found = json::parse(shown({"--periods", "0.5", "--body", "b.toml", "--json"}));
+    std::string row = " 0.5000";
+    for (auto const& [name, column, unit, si] : {std::tuple{"sa", "sa_mps2", "g", g_mps2},
+                                                 {"psv", "psv_mps", "ft/s", foot_m},
+                                                 {"sd", "sd_m", "ft", foot_m},
+                                                 {"v_e", "v_e_mps", "ft/s", foot_m},
+                                                 {"v_e0", "v_e0_mps", "ft/s", foot_m}}) {
+        auto const& typed = found.at("stated").at(name);
+        EXPECT_EQ(typed.at("unit"), unit) << name;
+        double const value = typed.at("value").at(0).get<double>();
+        EXPECT_NEAR(value * si, found.at(column).at(0).get<double>(), 1e-12) << name;
+        row += fmt::format(" {:.5g}", value);
+    }
+    EXPECT_NE(text.find(row + "\n"), std::string::npos) << row << " in\n" << text;
+    expect_typed(found, "pga", "pga_mps2", "g", g_mps2);
+    expect_typed(found, "pgv", "pgv_mps", "ft/s", foot_m);
+    expect_typed(found, "pgd", "pgd_m", "ft", foot_m);
+    expect_typed(found.at("energy"), "v_ereq", "v_ereq_mps", "ft/s", foot_m);
+
+    auto const factors = shown({"--overturning", "--body", "b.toml"});
+    EXPECT_NE(factors.find("; alpha g = 0.7854 g\n"), std::string::npos) << "pi / 4, " << factors;
+    EXPECT_NE(factors.find("(PGA 0.9 g)"), std::string::npos) << factors;
+    auto const ranges = json::parse(shown({"--overturning", "--body", "b.toml", "--json"}));
+    expect_typed(ranges.at("points").at(0), "uplift", "uplift_mps2", "g", g_mps2);
+    expect_typed(ranges.at("points").at(0).at("ranges").at(0), "to", "to_mps2", "g", g_mps2);
+    auto const tilts = single_blanks(shown({"--rocking", "--body", "b.toml"}));
+    EXPECT_NE(tilts.find("(PGA 0.9 g)"), std::string::npos) << tilts;
+    // Of a pulse the amplitudes are in the body's unit of acceleration, if it states one.
+    folder.write("g.toml", folder.read("b.toml") + "gravity='1 g'\n");
+    auto const pulse = [&](char const* body) {
+        return single_blanks(
+            overturn(folder, {"spectrum", "--overturning", "--pulse", "one-sine", "--ratios", "1", "--body", body})
+                .out);
+    };
+    EXPECT_NE(pulse("b.toml").find(" Hz m/s2 m/s2 alpha g\n"), std::string::npos) << pulse("b.toml");
+    EXPECT_NE(pulse("g.toml").find(" Hz g g alpha g\n"), std::string::npos) << pulse("g.toml");
 }
 
 // JSON and the file do not know how the levels were written.
