@@ -7,6 +7,7 @@
 #include "core/units.hpp"
 #include "spectra/detail/free_vibration.hpp"
 #include "spectra/detail/searched_tiles.hpp"
+#include "spectra/detail/tile_bounds.hpp"
 #include "spectra/response_spectrum.hpp"
 
 namespace overturn {
@@ -74,39 +75,16 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
     }
 }
 
-PeakResponse::Ground PeakResponse::ground_of(std::span<double const> series) {
-    Ground ground;
-    for (std::size_t first = 1; first < series.size(); first += SweepTiles::samples) {
-        double most = std::abs(series[first - 1]);
-        double steepest = 0;
-        for (std::size_t n = first; n < std::min(first + SweepTiles::samples, series.size()); ++n) {
-            most = std::max(most, std::abs(series[n]));
-            steepest = std::max(steepest, std::abs(series[n] - series[n - 1]));
-        }
-        ground.most.push_back(most);
-        ground.steepest.push_back(steepest);
-        ground.peak = std::max(ground.peak, most);
-    }
-    return ground;
-}
-
 // Puts the largest |y| that there may be in place of |C|^2: the ground's line, and the free vibration about it.
-void PeakResponse::bound_tiles(Group const& group, Ground const& ground, SweepTiles& tiles) const {
-    LaneValues per_most{}, per_steepest{};
+TileBound PeakResponse::bound_of(Group const& group) const {
+    TileBound bound;
     for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
         double const w = oscillators_[group.first + std::min(lane, group.count - 1)].w;
-        per_most[lane] = (1 + bound_error) / (w * w);
-        per_steepest[lane] = (1 + bound_error) * 2 * damping_ / (w * w * w * time_step_s_);
+        bound.most[lane] = (1 + bound_error) / (w * w);
+        bound.steepest[lane] = (1 + bound_error) * 2 * damping_ / (w * w * w * time_step_s_);
+        bound.swung[lane] = (1 + bound_error) * group.swept.unit[lane];
     }
-    tiles.highest.fill(0);
-    for (std::size_t b = 0; b < tiles.count(); ++b) {
-        double* const tile = tiles.at(b);
-        for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
-            double const line = per_most[lane] * ground.most[b] + per_steepest[lane] * ground.steepest[b];
-            tile[lane] = line + (1 + bound_error) * group.swept.unit[lane] * std::sqrt(tile[lane]);
-            tiles.highest[lane] = std::max(tiles.highest[lane], tile[lane]);
-        }
-    }
+    return bound;
 }
 
 // x^2 in a tile from which the peak may lie in it. Between two samples that are read, h apart, y strays from the line
@@ -188,14 +166,11 @@ void PeakResponse::search_samples(Searched const& searched, std::size_t lane, st
 void PeakResponse::search(Searched const& searched, LaneValues limit, std::span<PeakDisplacement> found) const {
     bool const strided = searched.group->swept.form == SweepForm::strided;
     bool const heights = searched.group->swept.form == SweepForm::amplitude;
-    for (std::size_t b = 0; b < searched.tiles->count(); ++b) {
-        double const* const tile = searched.tiles->at(b);
-        double const* const before = strided && b > 0 ? searched.tiles->at(b - 1) : tile;
-        int some = 0;
-        for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
-            some |= static_cast<int>(std::max(tile[lane], before[lane]) >= limit[lane]);
-        }
-        for (std::size_t lane = 0; some != 0 && lane < searched.group->count; ++lane) {
+    auto const& tiles = *searched.tiles;
+    for (std::size_t b = 0; (b = next_reaching(tiles, b, limit, strided)) < tiles.count(); ++b) {
+        double const* const tile = tiles.at(b);
+        double const* const before = strided && b > 0 ? tiles.at(b - 1) : tile;
+        for (std::size_t lane = 0; lane < searched.group->count; ++lane) {
             if (std::max(tile[lane], before[lane]) >= limit[lane]) {
                 strided ? search_samples(searched, lane, b, found[lane])
                         : search_between_samples(searched, lane, b, found[lane]);
@@ -203,6 +178,22 @@ void PeakResponse::search(Searched const& searched, LaneValues limit, std::span<
             }
         }
     }
+}
+
+void PeakResponse::search_swept(Searched const& searched, TileGround const& ground, SweepTiles& tiles,
+                                std::span<PeakDisplacement> found) const {
+    auto const& group = *searched.group;
+    if (group.swept.form != SweepForm::amplitude) {
+        search(searched, limits(group, tiles, ground.peak), found);
+        return;
+    }
+    bound_tiles(bound_of(group), ground, tiles);
+    search(searched, tiles.highest, found);  // the higher what is found, the fewer tiles are left to search
+    LaneValues limit{};
+    for (std::size_t lane = 0; lane < group.count; ++lane) {
+        limit[lane] = std::abs(found[lane].displacement_m);
+    }
+    search(searched, limit, found);
 }
 
 std::vector<PeakDisplacement> PeakResponse::peaks(std::span<double const> acceleration_mps2) const {
@@ -214,24 +205,13 @@ std::vector<PeakDisplacement> PeakResponse::peaks(std::span<double const> accele
     if (series.size() < 2) {
         return peaks;
     }
-    auto const ground = ground_of(series);
+    auto const ground = ground_of_tiles(series);
     SweepTiles tiles;
     for (auto const& group : groups_) {
         sweep(group.swept, series, tiles);
         auto const found = std::span(peaks).subspan(group.first, group.count);
         Searched const searched{series, &group, &tiles};
-        if (group.swept.form != SweepForm::amplitude) {
-            search(searched, limits(group, tiles, ground.peak), found);
-            swing_on(searched, found);
-            continue;
-        }
-        bound_tiles(group, ground, tiles);
-        search(searched, tiles.highest, found);  // the higher what is found, the fewer tiles are left to search
-        LaneValues limit{};
-        for (std::size_t lane = 0; lane < group.count; ++lane) {
-            limit[lane] = std::abs(found[lane].displacement_m);
-        }
-        search(searched, limit, found);
+        search_swept(searched, ground, tiles, found);
         swing_on(searched, found);
     }
     return peaks;

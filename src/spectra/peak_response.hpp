@@ -11,6 +11,9 @@
 
 namespace overturn {
 
+struct TileBound;
+struct TileGround;
+
 /// The largest displacement of one oscillator.
 struct PeakDisplacement {
     double displacement_m = 0;  ///< with its sign [m]
@@ -49,15 +52,9 @@ class PeakResponse {
         std::size_t first, count;  // of the oscillators
         OscillatorGroup swept;
     };
-    // The largest |a| and |change of a| of each tile.
-    struct Ground {
-        std::vector<double> most, steepest;
-        double peak = 0;
-    };
     struct Searched;  // a wave, a group of oscillators and the tiles that it was swept into
 
-    [[nodiscard]] static Ground ground_of(std::span<double const> series);
-    void bound_tiles(Group const& group, Ground const& ground, SweepTiles& tiles) const;
+    [[nodiscard]] TileBound bound_of(Group const& group) const;
     [[nodiscard]] LaneValues limits(Group const& group, SweepTiles const& tiles, double peak_mps2) const;
     struct State {
         double y, v;
@@ -65,6 +62,8 @@ class PeakResponse {
     [[nodiscard]] State state_before(Searched const& searched, std::size_t lane, std::size_t tile) const;
     [[nodiscard]] State state_at_end(Searched const& searched, std::size_t lane) const;
     void swing_on(Searched const& searched, std::span<PeakDisplacement> found) const;
+    void search_swept(Searched const& searched, TileGround const& ground, SweepTiles& tiles,
+                      std::span<PeakDisplacement> found) const;
     void search(Searched const& searched, LaneValues limit, std::span<PeakDisplacement> found) const;
     void search_between_samples(Searched const& searched, std::size_t lane, std::size_t tile,
                                 PeakDisplacement& found) const;
