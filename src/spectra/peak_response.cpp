@@ -1,6 +1,7 @@
 #include "spectra/peak_response.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -206,13 +207,20 @@ std::vector<PeakDisplacement> PeakResponse::peaks(std::span<double const> accele
         return peaks;
     }
     auto const ground = ground_of_tiles(series);
-    SweepTiles tiles;
-    for (auto const& group : groups_) {
-        sweep(group.swept, series, tiles);
-        auto const found = std::span(peaks).subspan(group.first, group.count);
-        Searched const searched{series, &group, &tiles};
-        search_swept(searched, ground, tiles, found);
-        swing_on(searched, found);
+    std::array<SweepTiles, 2> tiles;
+    for (std::size_t g = 0; g < groups_.size();) {
+        bool const both = g + 1 < groups_.size() && go_side_by_side(groups_[g].swept, groups_[g + 1].swept);
+        if (both) {
+            sweep({&groups_[g].swept, &groups_[g + 1].swept}, series, tiles);
+        } else {
+            sweep(groups_[g].swept, series, tiles[0]);
+        }
+        for (std::size_t i = 0; i < (both ? 2 : 1); ++i, ++g) {
+            auto const found = std::span(peaks).subspan(groups_[g].first, groups_[g].count);
+            Searched const searched{series, &groups_[g], &tiles[i]};
+            search_swept(searched, ground, tiles[i], found);
+            swing_on(searched, found);
+        }
     }
     return peaks;
 }

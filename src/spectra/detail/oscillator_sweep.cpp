@@ -1,6 +1,7 @@
 #include "spectra/detail/oscillator_sweep.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "simd/targets.hpp"
 
@@ -9,6 +10,7 @@
 #include <hwy/foreach_target.h>
 // foreach_target comes first: it includes this file once per instruction set
 #include "simd/lanes-inl.hpp"
+#include "spectra/detail/side_by_side-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace overturn::HWY_NAMESPACE {
@@ -18,23 +20,68 @@ namespace overturn::HWY_NAMESPACE {
 using FewLanes = simd::HWY_NAMESPACE::SweepDoubles<2>;
 using ManyLanes = simd::HWY_NAMESPACE::SweepDoubles<4>;
 
-// Some lanes of a group over the wave, from `lane` on.
-template <class V> class Sweep {
+// Some lanes of a group, from `lane` on.
+template <class V> class OneGroup {
   public:
-    Sweep(OscillatorGroup const& group, std::span<double const> acceleration, SweepTiles& tiles, std::size_t lane)
-        : acceleration_(acceleration), lane_(lane), to_(tiles.value.data() + lane) {
-        ahead_ = from(group.ahead);
-        behind_ = from(group.behind);
-        now_ = from(group.now);
-        last_ = from(group.last);
-        double const a0 = acceleration[0];
-        double const a1 = acceleration.size() > 1 ? acceleration[1] : 0.0;
-        state_ = fma(from(group.state_a0), a0, from(group.state_a1) * a1);
-        other_ = fma(from(group.other_a0), a0, from(group.other_a1) * a1);
+    OneGroup(OscillatorGroup const& group, SweepTiles& tiles, std::size_t lane)
+        : group_(group), lane_(lane), to_(tiles.value.data() + lane), highest_(tiles.highest.data() + lane) {}
+
+    [[nodiscard]] OVERTURN_LANES_INLINE V of(simd::LaneValues<> OscillatorGroup::*values) const {
+        return V::load((group_.*values).data() + lane_);
+    }
+    OVERTURN_LANES_INLINE void put(std::size_t row, V values) { values.store(to_ + row * simd::sweep_lanes); }
+    OVERTURN_LANES_INLINE void next_tile() { to_ += SweepTiles::values; }
+    OVERTURN_LANES_INLINE void end(V highest) { highest.store(highest_); }
+
+  private:
+    OscillatorGroup const& group_;
+    std::size_t lane_;
+    double* to_;
+    double* highest_;
+};
+
+// All lanes of two groups.
+class TwoGroups {
+  public:
+    TwoGroups(std::array<OscillatorGroup const*, 2> groups, std::array<SweepTiles, 2>& tiles)
+        : groups_(groups), tiles_(tiles), to_(tiles[0].value.data()), others_to_(tiles[1].value.data()) {}
+
+    [[nodiscard]] OVERTURN_LANES_INLINE TwoGroupsLanes of(simd::LaneValues<> OscillatorGroup::*values) const {
+        return load_two(groups_[0]->*values, groups_[1]->*values);
+    }
+    OVERTURN_LANES_INLINE void put(std::size_t row, TwoGroupsLanes values) {
+        store_two(values, to_ + row * simd::sweep_lanes, others_to_ + row * simd::sweep_lanes);
+    }
+    OVERTURN_LANES_INLINE void next_tile() {
+        to_ += SweepTiles::values;
+        others_to_ += SweepTiles::values;
+    }
+    OVERTURN_LANES_INLINE void end(TwoGroupsLanes highest) {
+        store_two(highest, tiles_[0].highest.data(), tiles_[1].highest.data());
     }
 
-    // \return the largest square
-    OVERTURN_LANES_INLINE V samples() {
+  private:
+    std::array<OscillatorGroup const*, 2> groups_;
+    std::array<SweepTiles, 2>& tiles_;
+    double* to_;
+    double* others_to_;
+};
+
+// Some lanes over the wave.
+template <class V, class Groups> class Sweep {
+  public:
+    Sweep(Groups groups, std::span<double const> acceleration) : acceleration_(acceleration), groups_(groups) {
+        ahead_ = groups.of(&OscillatorGroup::ahead);
+        behind_ = groups.of(&OscillatorGroup::behind);
+        now_ = groups.of(&OscillatorGroup::now);
+        last_ = groups.of(&OscillatorGroup::last);
+        double const a0 = acceleration[0];
+        double const a1 = acceleration.size() > 1 ? acceleration[1] : 0.0;
+        state_ = fma(groups.of(&OscillatorGroup::state_a0), a0, groups.of(&OscillatorGroup::state_a1) * a1);
+        other_ = fma(groups.of(&OscillatorGroup::other_a0), a0, groups.of(&OscillatorGroup::other_a1) * a1);
+    }
+
+    OVERTURN_LANES_INLINE void samples() {
         V const ahead = ahead_;
         V const behind = behind_;
         V const now = now_;
@@ -59,10 +106,10 @@ template <class V> class Sweep {
             }
             most = close(square, most);
         }
-        return most;
+        groups_.end(most);
     }
 
-    OVERTURN_LANES_INLINE V amplitude() {
+    OVERTURN_LANES_INLINE void amplitude() {
         V const cosine = ahead_;
         V const sine = behind_;
         V const against = -sine;
@@ -85,10 +132,10 @@ template <class V> class Sweep {
             }
             most = close(square, most);
         }
-        return most;
+        groups_.end(most);
     }
 
-    template <std::size_t Stride> OVERTURN_LANES_INLINE V strided() {
+    template <std::size_t Stride> OVERTURN_LANES_INLINE void strided() {
         V w = state_;
         V d = other_;
         V most = 0;
@@ -107,23 +154,20 @@ template <class V> class Sweep {
             }
             most = close(square, most);
         }
-        return most;
+        groups_.end(most);
     }
 
   private:
-    [[nodiscard]] OVERTURN_LANES_INLINE V from(simd::LaneValues<> const& values) const {
-        return V::load(values.data() + lane_);
-    }
     [[nodiscard]] OVERTURN_LANES_INLINE std::size_t end_of(std::size_t n) const {
         return std::min(n + SweepTiles::samples, acceleration_.size());
     }
     OVERTURN_LANES_INLINE void open(V state, V other) {
-        state.store(to_ + simd::sweep_lanes);
-        other.store(to_ + 2 * simd::sweep_lanes);
+        groups_.put(1, state);
+        groups_.put(2, other);
     }
     [[nodiscard]] OVERTURN_LANES_INLINE V close(V square, V most) {
-        square.store(to_);
-        to_ += SweepTiles::values;
+        groups_.put(0, square);
+        groups_.next_tile();
         return max(square, most);
     }
     // w is that of the sample before.
@@ -140,37 +184,53 @@ template <class V> class Sweep {
     }
 
     std::span<double const> acceleration_;
-    std::size_t lane_;
-    double* to_;
+    Groups groups_;
     V ahead_, behind_, now_, last_, state_, other_;
 };
 
 template <class V, class Take>
 void sweep_lanes(OscillatorGroup const& group, std::span<double const> acceleration, SweepTiles& tiles, Take take) {
     for (std::size_t lane = 0; lane < simd::sweep_lanes; lane += V::count) {
-        take(Sweep<V>(group, acceleration, tiles, lane)).store(tiles.highest.data() + lane);
+        take(Sweep<V, OneGroup<V>>(OneGroup<V>(group, tiles, lane), acceleration));
     }
 }
 
 void sweep_all(OscillatorGroup const& group, std::span<double const> acceleration, SweepTiles& tiles) {
     switch (group.form) {
         case SweepForm::amplitude:
-            sweep_lanes<ManyLanes>(group, acceleration, tiles,
-                                   [](Sweep<ManyLanes> some) HWY_ATTR { return some.amplitude(); });
+            sweep_lanes<ManyLanes>(group, acceleration, tiles, [](auto some) HWY_ATTR { some.amplitude(); });
             break;
         case SweepForm::samples:
-            sweep_lanes<FewLanes>(group, acceleration, tiles,
-                                  [](Sweep<FewLanes> some) HWY_ATTR { return some.samples(); });
+            sweep_lanes<FewLanes>(group, acceleration, tiles, [](auto some) HWY_ATTR { some.samples(); });
             break;
         case SweepForm::strided:
             if (group.stride == 2) {
                 sweep_lanes<ManyLanes>(group, acceleration, tiles,
-                                       [](Sweep<ManyLanes> some) HWY_ATTR { return some.strided<2>(); });
+                                       [](auto some) HWY_ATTR { some.template strided<2>(); });
             } else {
                 sweep_lanes<ManyLanes>(group, acceleration, tiles,
-                                       [](Sweep<ManyLanes> some) HWY_ATTR { return some.strided<8>(); });
+                                       [](auto some) HWY_ATTR { some.template strided<8>(); });
             }
             break;
+    }
+}
+
+bool wins_by_pairs() { return pairs_win; }
+
+void sweep_pair(std::array<OscillatorGroup const*, 2> groups, std::span<double const> acceleration,
+                std::array<SweepTiles, 2>& tiles) {
+    if constexpr (pairs_win) {
+        Sweep<TwoGroupsLanes, TwoGroups> both(TwoGroups(groups, tiles), acceleration);
+        if (groups[0]->form == SweepForm::amplitude) {
+            both.amplitude();
+        } else if (groups[0]->stride == 2) {
+            both.strided<2>();
+        } else {
+            both.strided<8>();
+        }
+    } else {
+        sweep_all(*groups[0], acceleration, tiles[0]);
+        sweep_all(*groups[1], acceleration, tiles[1]);
     }
 }
 
@@ -179,12 +239,33 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace overturn {
+namespace {
 
 HWY_EXPORT(sweep_all);
+HWY_EXPORT(sweep_pair);
+HWY_EXPORT(wins_by_pairs);
+
+void make_room(std::size_t samples, SweepTiles& tiles) {
+    tiles.value.resize((samples + SweepTiles::samples - 2) / SweepTiles::samples * SweepTiles::values);
+}
+
+}  // namespace
 
 void sweep(OscillatorGroup const& group, std::span<double const> acceleration_mps2, SweepTiles& tiles) {
-    tiles.value.resize((acceleration_mps2.size() + SweepTiles::samples - 2) / SweepTiles::samples * SweepTiles::values);
+    make_room(acceleration_mps2.size(), tiles);
     HWY_DYNAMIC_DISPATCH(sweep_all)(group, acceleration_mps2, tiles);
+}
+
+void sweep(std::array<OscillatorGroup const*, 2> groups, std::span<double const> acceleration_mps2,
+           std::array<SweepTiles, 2>& tiles) {
+    make_room(acceleration_mps2.size(), tiles[0]);
+    make_room(acceleration_mps2.size(), tiles[1]);
+    HWY_DYNAMIC_DISPATCH(sweep_pair)(groups, acceleration_mps2, tiles);
+}
+
+bool go_side_by_side(OscillatorGroup const& one, OscillatorGroup const& other) {
+    return one.form != SweepForm::samples && one.form == other.form && one.stride == other.stride
+           && HWY_DYNAMIC_DISPATCH(wins_by_pairs)();
 }
 
 }  // namespace overturn

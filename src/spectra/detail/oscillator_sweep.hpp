@@ -2,6 +2,7 @@
 /// the state from which it can be looked at closely.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -59,5 +60,11 @@ struct SweepTiles {
 
 /// \param tiles every value is overwritten
 void sweep(OscillatorGroup const& group, std::span<double const> acceleration_mps2, SweepTiles& tiles);
+
+/// The same of two groups that may go side by side, which takes less time than one after the other.
+void sweep(std::array<OscillatorGroup const*, 2> groups, std::span<double const> acceleration_mps2,
+           std::array<SweepTiles, 2>& tiles);
+/// Are they of one form and stride, and is there time to win?
+[[nodiscard]] bool go_side_by_side(OscillatorGroup const& one, OscillatorGroup const& other);
 
 }  // namespace overturn
