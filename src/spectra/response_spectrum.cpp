@@ -44,6 +44,12 @@ void set_lane(ResponseLanes& lanes, std::size_t lane, Oscillator const& o, bool 
     lanes.cy.at(lane) = o.w * o.w * unit_z;
 }
 
+struct SweptGroup {
+    std::size_t begin, end;  // of the periods in their order
+    ResponseForm form;
+    ResponseLanes lanes;
+};
+
 // Visits the periods in groups of at most 16 that take equally many steps per sample; idle lanes repeat the first.
 template <class Take>
 void sweep(std::span<double const> acceleration, double time_step_s, std::span<double const> periods_s, double damping,
@@ -56,13 +62,13 @@ void sweep(std::span<double const> acceleration, double time_step_s, std::span<d
     std::vector<std::size_t> order(periods_s.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return steps[a] < steps[b]; });
+    std::vector<SweptGroup> groups;
     for (std::size_t begin = 0; begin < order.size();) {
         int const shared = steps[order[begin]];
         std::size_t end = begin;
         while (end < order.size() && end - begin < simd::sweep_lanes && steps[order[end]] == shared) {
             ++end;
         }
-        ResponseLanes lanes{};
         double const step_s = time_step_s / shared;
         std::vector<Oscillator> oscillators;
         for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
@@ -71,14 +77,24 @@ void sweep(std::span<double const> acceleration, double time_step_s, std::span<d
         }
         bool const plain =
             !std::ranges::all_of(oscillators, [&](Oscillator const& each) { return each.forced(step_s); });
+        groups.push_back({begin, end, {shared, peaks, plain ? ForcingTerm::factor : ForcingTerm::unit}, {}});
         for (std::size_t lane = 0; lane < simd::sweep_lanes; ++lane) {
-            set_lane(lanes, lane, oscillators[lane], plain);
-        }
-        sweep_response(acceleration, shared, peaks, plain ? ForcingTerm::factor : ForcingTerm::unit, lanes);
-        for (std::size_t lane = 0; begin + lane < end; ++lane) {
-            take(order[begin + lane], lanes, lane);
+            set_lane(groups.back().lanes, lane, oscillators[lane], plain);
         }
         begin = end;
+    }
+    for (std::size_t g = 0; g < groups.size(); ++g) {
+        auto& group = groups[g];
+        if (g + 1 < groups.size() && groups[g + 1].form == group.form) {
+            sweep_response(acceleration, group.form, group.lanes, groups[++g].lanes);
+        } else {
+            sweep_response(acceleration, group.form, group.lanes);
+        }
+    }
+    for (auto const& group : groups) {
+        for (std::size_t lane = 0; group.begin + lane < group.end; ++lane) {
+            take(order[group.begin + lane], group.lanes, lane);
+        }
     }
 }
 

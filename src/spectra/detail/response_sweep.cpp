@@ -7,25 +7,51 @@
 #include <hwy/foreach_target.h>
 // foreach_target comes first: it includes this file once per instruction set
 #include "simd/lanes-inl.hpp"
+#include "spectra/detail/side_by_side-inl.hpp"
 
 HWY_BEFORE_NAMESPACE();
 namespace overturn::HWY_NAMESPACE {
 
 using SomeLanes = simd::HWY_NAMESPACE::SweepDoubles<2>;
 
-template <class V, SweptPeaks Peaks, ForcingTerm Term>
-void sweep_some(std::span<double const> acceleration, int steps, ResponseLanes& lanes, std::size_t lane) {
-    auto const from = [lane](simd::LaneValues<> const& values) HWY_ATTR { return V::load(values.data() + lane); };
-    V const zz = from(lanes.zz);
-    V const zu = from(lanes.zu);
-    V const za = from(lanes.za);
-    V const ya = from(lanes.ya);
-    V const uz = from(lanes.uz);
-    V const uu = from(lanes.uu);
-    V const ua = from(lanes.ua);
-    V const va = from(lanes.va);
-    V const cv = from(lanes.cv);
-    V const cy = from(lanes.cy);
+// Some lanes of a group, from `lane` on.
+template <class V> struct OneResponse {
+    ResponseLanes& lanes;
+    std::size_t lane;
+
+    [[nodiscard]] OVERTURN_LANES_INLINE V of(simd::LaneValues<> ResponseLanes::*values) const {
+        return V::load((lanes.*values).data() + lane);
+    }
+    OVERTURN_LANES_INLINE void put(simd::LaneValues<> ResponseLanes::*values, V found) const {
+        found.store((lanes.*values).data() + lane);
+    }
+};
+
+// All lanes of two groups.
+struct TwoResponses {
+    ResponseLanes& lanes;
+    ResponseLanes& others;
+
+    [[nodiscard]] OVERTURN_LANES_INLINE TwoGroupsLanes of(simd::LaneValues<> ResponseLanes::*values) const {
+        return load_two(lanes.*values, others.*values);
+    }
+    OVERTURN_LANES_INLINE void put(simd::LaneValues<> ResponseLanes::*values, TwoGroupsLanes found) const {
+        store_two(found, (lanes.*values).data(), (others.*values).data());
+    }
+};
+
+template <class V, SweptPeaks Peaks, ForcingTerm Term, class Responses>
+void sweep_some(std::span<double const> acceleration, int steps, Responses lanes) {
+    V const zz = lanes.of(&ResponseLanes::zz);
+    V const zu = lanes.of(&ResponseLanes::zu);
+    V const za = lanes.of(&ResponseLanes::za);
+    V const ya = lanes.of(&ResponseLanes::ya);
+    V const uz = lanes.of(&ResponseLanes::uz);
+    V const uu = lanes.of(&ResponseLanes::uu);
+    V const ua = lanes.of(&ResponseLanes::ua);
+    V const va = lanes.of(&ResponseLanes::va);
+    V const cv = lanes.of(&ResponseLanes::cv);
+    V const cy = lanes.of(&ResponseLanes::cy);
     double const before = acceleration.empty() ? 0 : acceleration[0];
     V z = ya * -before;
     V u = va * -before;
@@ -54,26 +80,39 @@ void sweep_some(std::span<double const> acceleration, int steps, ResponseLanes& 
             a0 = a1;
         }
     }
-    z.store(lanes.end_z.data() + lane);
-    u.store(lanes.end_u.data() + lane);
-    y2.store(lanes.y2.data() + lane);
-    v2.store(lanes.v2.data() + lane);
-    a2.store(lanes.a2.data() + lane);
+    lanes.put(&ResponseLanes::end_z, z);
+    lanes.put(&ResponseLanes::end_u, u);
+    lanes.put(&ResponseLanes::y2, y2);
+    lanes.put(&ResponseLanes::v2, v2);
+    lanes.put(&ResponseLanes::a2, a2);
 }
 
-template <SweptPeaks Peaks>
-void sweep_peaks(std::span<double const> acceleration, int steps, ForcingTerm forcing, ResponseLanes& lanes) {
-    for (std::size_t lane = 0; lane < simd::sweep_lanes; lane += SomeLanes::count) {
-        forcing == ForcingTerm::factor
-            ? sweep_some<SomeLanes, Peaks, ForcingTerm::factor>(acceleration, steps, lanes, lane)
-            : sweep_some<SomeLanes, Peaks, ForcingTerm::unit>(acceleration, steps, lanes, lane);
+template <class V, class Responses>
+void sweep_term(std::span<double const> acceleration, ResponseForm const& form, Responses lanes) {
+    bool const factor = form.forcing == ForcingTerm::factor;
+    if (form.peaks == SweptPeaks::all) {
+        factor ? sweep_some<V, SweptPeaks::all, ForcingTerm::factor>(acceleration, form.steps, lanes)
+               : sweep_some<V, SweptPeaks::all, ForcingTerm::unit>(acceleration, form.steps, lanes);
+    } else {
+        factor ? sweep_some<V, SweptPeaks::displacement, ForcingTerm::factor>(acceleration, form.steps, lanes)
+               : sweep_some<V, SweptPeaks::displacement, ForcingTerm::unit>(acceleration, form.steps, lanes);
     }
 }
 
-void sweep_all(std::span<double const> acceleration, int steps, SweptPeaks peaks, ForcingTerm forcing,
-               ResponseLanes& lanes) {
-    peaks == SweptPeaks::all ? sweep_peaks<SweptPeaks::all>(acceleration, steps, forcing, lanes)
-                             : sweep_peaks<SweptPeaks::displacement>(acceleration, steps, forcing, lanes);
+void sweep_one(std::span<double const> acceleration, ResponseForm const& form, ResponseLanes& lanes) {
+    for (std::size_t lane = 0; lane < simd::sweep_lanes; lane += SomeLanes::count) {
+        sweep_term<SomeLanes>(acceleration, form, OneResponse<SomeLanes>{lanes, lane});
+    }
+}
+
+void sweep_two(std::span<double const> acceleration, ResponseForm const& form, ResponseLanes& lanes,
+               ResponseLanes& others) {
+    if constexpr (pairs_win) {
+        sweep_term<TwoGroupsLanes>(acceleration, form, TwoResponses{lanes, others});
+    } else {
+        sweep_one(acceleration, form, lanes);
+        sweep_one(acceleration, form, others);
+    }
 }
 
 }  // namespace overturn::HWY_NAMESPACE
@@ -82,11 +121,16 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace overturn {
 
-HWY_EXPORT(sweep_all);
+HWY_EXPORT(sweep_one);
+HWY_EXPORT(sweep_two);
 
-void sweep_response(std::span<double const> acceleration_mps2, int steps, SweptPeaks peaks, ForcingTerm forcing,
-                    ResponseLanes& lanes) {
-    HWY_DYNAMIC_DISPATCH(sweep_all)(acceleration_mps2, steps, peaks, forcing, lanes);
+void sweep_response(std::span<double const> acceleration_mps2, ResponseForm const& form, ResponseLanes& lanes) {
+    HWY_DYNAMIC_DISPATCH(sweep_one)(acceleration_mps2, form, lanes);
+}
+
+void sweep_response(std::span<double const> acceleration_mps2, ResponseForm const& form, ResponseLanes& lanes,
+                    ResponseLanes& others) {
+    HWY_DYNAMIC_DISPATCH(sweep_two)(acceleration_mps2, form, lanes, others);
 }
 
 }  // namespace overturn
