@@ -145,8 +145,9 @@ TEST(Tables, OfOneMotionHaveTheNamesOfTheFile) {
     auto const spectrum = of({"spectrum", "--wave", "w.csv", "--body", "body.toml", "--json"});
     EXPECT_EQ(names_beside(names, spectrum),
               (Names{"damping", "energy", "period_s", "psa_mps2", "psv_mps", "record", "residual_velocity_over_pgv",
-                     "sa_mps2", "sd_m", "sv_mps", "v_e0_mps", "v_e_mps"}));
-    EXPECT_EQ(names_beside(names, spectrum.at("energy")), (Names{"v_wes_running_mps", "v_wes_running_time_s"}));
+                     "sa_mps2", "sd_m", "stated", "sv_mps", "v_e0_mps", "v_e_mps"}));
+    EXPECT_EQ(names_beside(names, spectrum.at("energy")),
+              (Names{"stated", "v_wes_running_mps", "v_wes_running_time_s"}));
 
     auto const rocking =
         of({"spectrum", "--rocking", "--wave", "w.csv", "--body", "body.toml", "--rocking-periods", "4", "--json"});
