@@ -80,7 +80,7 @@ void take_statistics(Statistics& statistics, BytesIn& in) {
 std::pair<store::BlockRange, std::string> blocks_of(std::string text) {
     auto const first = take_number(text);
     auto const last = take_number(text);
-    return {{first, last}, std::move(text)};
+    return {store::BlockRange{first, last}, std::move(text)};
 }
 
 }  // namespace
