@@ -13,18 +13,6 @@ namespace {
 using Unit = std::optional<IntensityUnit>;
 using Source = std::function<Unit()>;
 
-// The unit of that name, if there is one of the dimension; in small letters where it was not written as usual.
-Unit unit_named(std::string_view written, Dimension dimension) {
-    auto symbol = std::string(trimmed(written));
-    auto const usual = ", " + accepted_units(dimension) + ",";
-    if (usual.find(", " + symbol + ",") == std::string::npos) {
-        std::ranges::transform(symbol, symbol.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
-    }
-    return symbol.empty() || usual.find(", " + symbol + ",") == std::string::npos
-               ? std::nullopt
-               : Unit({symbol, unit_factor(symbol, dimension)});
-}
-
 // Of a number that was written as "258 kip".
 Unit unit_of(config::InputValue const& input) {
     auto const blank = input.text.find(' ');
@@ -105,6 +93,17 @@ template <class Typed> TypedUnits units_by(Typed const& typed, Unit const& bodie
 }
 
 }  // namespace
+
+std::optional<IntensityUnit> unit_named(std::string_view written, Dimension dimension) {
+    auto symbol = std::string(trimmed(written));
+    auto const usual = ", " + accepted_units(dimension) + ",";
+    if (usual.find(", " + symbol + ",") == std::string::npos) {
+        std::ranges::transform(symbol, symbol.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c; });
+    }
+    return symbol.empty() || usual.find(", " + symbol + ",") == std::string::npos
+               ? std::nullopt
+               : std::optional<IntensityUnit>({symbol, unit_factor(symbol, dimension)});
+}
 
 std::optional<IntensityUnit> typed_unit(CampaignSpec const& spec, Dimension dimension) {
     return first_of({[&] { return of_levels(spec.levels, dimension); }, [&] { return of_limits(spec, dimension); },

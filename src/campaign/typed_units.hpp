@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "campaign/campaign_spec.hpp"
 #include "campaign/text_units.hpp"
@@ -13,6 +14,9 @@
 #include "stats/intensity_unit.hpp"
 
 namespace overturn {
+
+/// The unit of that name, if there is one of the dimension; in small letters where it was not written as usual.
+[[nodiscard]] std::optional<IntensityUnit> unit_named(std::string_view written, Dimension dimension);
 
 /// The unit in which a campaign states quantities of a dimension; of several the first that stands in the levels, in a
 /// limit state, in its other keys, in a target spectrum. Empty where it states none, or bare numbers.

@@ -20,11 +20,9 @@ std::string key_of(IntensityMeasure const& measure) {
 
 TypedUnits units_of(PlacedRecord const& record, TypedUnits const& body) {
     auto units = body;
-    auto const symbol = name_of_acceleration_unit(record.unit_mps2);
-    auto const named = ", " + accepted_units(Dimension::acceleration) + ",";
-    if (body.acceleration.symbol == TypedUnits().acceleration.symbol
-        && named.find(", " + symbol + ",") != std::string::npos) {
-        units.acceleration = {symbol, unit_factor(symbol, Dimension::acceleration)};
+    if (body.acceleration.symbol == TypedUnits().acceleration.symbol) {
+        units.acceleration = unit_named(name_of_acceleration_unit(record.unit_mps2), Dimension::acceleration)
+                                 .value_or(body.acceleration);
     }
     return units;
 }
