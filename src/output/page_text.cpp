@@ -29,15 +29,15 @@ std::string basis_text(Answered const& of, std::size_t body, std::size_t limit) 
         return {};
     }
     auto const& stripe = of.statistics.bodies()[body].stripes_of(limit)[basis - levels.begin()];
+    auto const* const did = limit == 0 ? "overturned" : "exceeded the limit";
     if (!no_probability_text(of).empty()) {
         return fmt::format("at the design basis ({}) {} of {} {}", of.spec.levels.text(basis->value), stripe.overturned,
-                           stripe.trials, limit == 0 ? "overturned" : "exceeded the limit");
+                           stripe.trials, did);
     }
     auto const ends = stripe.interval(of.confidence);
     return fmt::format("at the design basis ({}) {} of {} trials {}, P between {:.2g} and {:.2g}",
-                       of.spec.levels.text(basis->value), stripe.overturned, stripe.trials,
-                       limit == 0 ? "overturned" : "exceeded the limit", rounded_down(ends.lower, 2),
-                       rounded_up(ends.upper, 2));
+                       of.spec.levels.text(basis->value), stripe.overturned, stripe.trials, did,
+                       rounded_down(ends.lower, 2), rounded_up(ends.upper, 2));
 }
 
 std::string curve_words(MeasuredFragility const& curve, double confidence) {
@@ -47,8 +47,7 @@ std::string curve_words(MeasuredFragility const& curve, double confidence) {
         return why.empty() ? "no curve: " + state_words(fit.state, fit.passing) : why.front();
     }
     auto const& ends = fit.intervals().median;
-    auto text = fmt::format("half {} at {} ({} to {}), beta {:.2g}",
-                            fit.passing == Passing::exceeded ? "exceed the limit" : "overturn",
+    auto text = fmt::format("half {} at {} ({} to {}), beta {:.2g}", pass_text(fit),
                             curve.shown_in.text(std::exp(fit.line->log_median())),
                             median_end(rounded_down(curve.shown_in.of(ends.lower), headline_digits)),
                             median_end(rounded_up(curve.shown_in.of(ends.upper), headline_digits)), fit.line->beta());

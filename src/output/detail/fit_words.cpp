@@ -54,10 +54,6 @@ std::string bracket_text(Interval const& bracket, IntensityUnit const& unit) {
                              : fmt::format("at or below {}", unit.text(bracket.upper));
 }
 
-char const* pass_text(FragilityFit const& fit) {
-    return fit.passing == Passing::exceeded ? "exceed the limit" : "overturn";
-}
-
 std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
     auto text = fmt::format(
         "no curve, because at most one level has both trials that {} and trials that do not: beta cannot be "
@@ -159,6 +155,10 @@ std::string waves_text(FragilityFit const& fit) {
 }
 
 }  // namespace
+
+char const* pass_text(FragilityFit const& fit) {
+    return fit.passing == Passing::exceeded ? "exceed the limit" : "overturn";
+}
 
 std::string grid_text(std::int64_t waves) {
     return fmt::format("a grid of {} {} is no sample: no curve", waves, waves == 1 ? "frequency" : "frequencies");

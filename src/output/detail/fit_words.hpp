@@ -16,6 +16,8 @@ namespace overturn::output {
 [[nodiscard]] std::string few_records_text(std::int64_t records, std::int64_t recordings);
 /// "3 of 200"; "3 of 200, counting 10 as one"
 [[nodiscard]] std::string counts_text(SeenBound const& seen);
+/// What trials do that pass the curve's limit state: "overturn", "exceed the limit".
+[[nodiscard]] char const* pass_text(FragilityFit const& fit);
 /// One sentence for everything a reader must know.
 [[nodiscard]] std::vector<std::string> warnings_of(FragilityFit const& fit, IntensityUnit const& unit,
                                                    double confidence);
