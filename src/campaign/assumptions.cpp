@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "campaign/detail/unused_inputs.hpp"
+#include "core/texts_of.hpp"
 
 namespace overturn {
 namespace {
@@ -90,10 +91,9 @@ bool is_beta_u_assumed(CampaignSpec const& spec) {
 
 std::string text_of(InputTally const& tally) {
     return fmt::format(
-        "{} of {} inputs are assumed, {} published, {} measured, {} without a source, {} default{} of this "
-        "program",
-        tally.assumed, tally.all(), tally.published, tally.measured, tally.not_stated, tally.by_default,
-        tally.by_default == 1 ? "" : "s");
+        "{} of {} inputs are assumed, {} published, {} measured, {} without a source, {} of this program",
+        tally.assumed, tally.all(), tally.published, tally.measured, tally.not_stated,
+        count_text(tally.by_default, "default"));
 }
 
 namespace {

@@ -14,6 +14,7 @@
 #include "campaign/warnings.hpp"
 #include "core/error.hpp"
 #include "core/outward.hpp"
+#include "core/texts_of.hpp"
 
 namespace overturn {
 namespace {
@@ -70,7 +71,7 @@ void add_records(CampaignSpec const& spec, Lines& lines) {
         return;
     }
     auto const of_all = [&](std::int64_t count) {
-        return fmt::format("{} of {} record{}", count, spec.wave_count, spec.wave_count == 1 ? "" : "s");
+        return fmt::format("{} of {}", count, count_text(spec.wave_count, "record"));
     };
     std::string text;
     if (drifting > 0) {

@@ -23,6 +23,7 @@
 #include "core/elapsed.hpp"
 #include "core/error.hpp"
 #include "core/shared_rows.hpp"
+#include "core/texts_of.hpp"
 #include "core/wrapped.hpp"
 #include "output/frequency_text.hpp"
 #include "output/shown_levels.hpp"
@@ -215,11 +216,9 @@ void print_scene(CampaignInput const& input, CampaignSpec const& spec, Plan cons
                  std::optional<HazardCurve> const& hazard, PlanOptions const& options) {
     constexpr std::size_t most_bodies = 8;
     constexpr std::size_t most_outside = 2;
-    auto const count = [](std::size_t n, char const* one, char const* more) {
-        return fmt::format("{} {}", n, n == 1 ? one : more);
-    };
-    fmt::print("{} x {} x {} = {}\n", count(plan.waves(), "wave", "waves"), count(spec.bodies.size(), "body", "bodies"),
-               count(spec.levels.levels.size(), "level", "levels"), count(plan.trials(), "trial", "trials"));
+    fmt::print("{} x {} x {} = {}\n", count_text(plan.waves(), "wave"),
+               count_text(std::ssize(spec.bodies), "body", "bodies"),
+               count_text(std::ssize(spec.levels.levels), "level"), count_text(plan.trials(), "trial"));
     print_entry("waves", spec.source->text());
     for (auto const& remark : spec.source->about().remarks) {
         print_entry("remark", remark);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/texts_of.hpp"
 #include "results/curves.hpp"
 #include "results/statistics.hpp"
 #include "runner/progress.hpp"
@@ -61,12 +62,12 @@ RankEstimate estimate_ranks(CampaignSpec const& spec, Plan const& plan, Forecast
 }
 
 std::string ranks_text(RankEstimate const& estimate) {
-    return fmt::format(
-        "about {} on {} {}, which compute {:.0f} % of it{}; {} blocks of {}, merged in {}",
-        short_time(estimate.wall_s()), estimate.ranks, estimate.ranks == 1 ? "rank" : "ranks", 100 * estimate.busy(),
-        estimate.blocks < estimate.ranks ? fmt::format(" ({} have no block)", estimate.ranks - estimate.blocks)
-                                         : std::string(),
-        estimate.blocks, short_time(estimate.block_s), short_time(estimate.merge_s));
+    return fmt::format("about {} on {}, which compute {:.0f} % of it{}; {} blocks of {}, merged in {}",
+                       short_time(estimate.wall_s()), count_text(estimate.ranks, "rank"), 100 * estimate.busy(),
+                       estimate.blocks < estimate.ranks
+                           ? fmt::format(" ({} have no block)", estimate.ranks - estimate.blocks)
+                           : std::string(),
+                       estimate.blocks, short_time(estimate.block_s), short_time(estimate.merge_s));
 }
 
 std::string parts_text(RankEstimate const& estimate) {

@@ -7,6 +7,11 @@
 
 namespace overturn {
 
+std::string count_text(std::int64_t count, std::string_view one, std::string_view more) {
+    return fmt::format("{} {}{}", count, count == 1 || more.empty() ? one : more,
+                       count != 1 && more.empty() ? "s" : "");
+}
+
 std::string names_text(std::vector<std::string> const& names, std::size_t most) {
     auto const shown = std::min(most, names.size());
     auto const text = fmt::format("{}", fmt::join(std::span(names).first(shown), ", "));

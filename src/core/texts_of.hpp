@@ -1,11 +1,15 @@
-/// The same text about several things, once.
+/// Numbers of things in words, and the same text about several things, once.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace overturn {
+
+/// "1 wave", "40 waves". \param more of other numbers than one, where it is not `one` with an s
+[[nodiscard]] std::string count_text(std::int64_t count, std::string_view one, std::string_view more = {});
 
 /// "a, b, c and 4 more".
 [[nodiscard]] std::string names_text(std::vector<std::string> const& names, std::size_t most = 3);

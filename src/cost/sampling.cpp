@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "core/texts_of.hpp"
 #include "results/statistics.hpp"
 #include "stats/proportion.hpp"
 
@@ -113,8 +114,8 @@ std::string sentence_of(Balance const& balance, Comparison const& defaults, Camp
     auto const numerical = fmt::format("numerical error of P(overturn) is {}{:.2g} ({})",
                                        balance.is_bound ? "at most " : "", balance.numerical, differ);
     if (spec.is_grid()) {
-        return fmt::format("The {}. A grid of {} {} is no sample, so no P(overturn) is estimated.", numerical,
-                           spec.wave_count, spec.wave_count == 1 ? "frequency" : "frequencies");
+        return fmt::format("The {}. A grid of {} is no sample, so no P(overturn) is estimated.", numerical,
+                           count_text(spec.wave_count, "frequency", "frequencies"));
     }
     auto const sampling = fmt::format("sampling error +-{:.2g} ({:g} %, {} waves, mean of {} stripes)",
                                       balance.sampling, 100 * spec.confidence, spec.wave_count, stripes);

@@ -12,6 +12,7 @@
 #include "campaign/validated_range.hpp"
 #include "core/outward.hpp"
 #include "core/text_width.hpp"
+#include "core/texts_of.hpp"
 #include "core/wrapped.hpp"
 #include "output/detail/answer_cells.hpp"
 #include "output/detail/answer_parts.hpp"
@@ -22,8 +23,6 @@
 
 namespace overturn::output {
 namespace {
-
-std::string count_text(std::int64_t waves) { return fmt::format("{} wave{}", waves, waves == 1 ? "" : "s"); }
 
 constexpr double least_slip_m = 1e-4;  // below it a slip is not printed as a number
 
@@ -65,7 +64,8 @@ class SheetMaker {
             return no_probability_text(of_) + "; each record has its rows below";
         }
         auto const waves = waves_text(of_.statistics.waves(), of_.spec.source->about().acceptance, of_.confidence);
-        return fmt::format("{}; {:g} % intervals{}{}", waves.empty() ? count_text(of_.statistics.waves().waves) : waves,
+        return fmt::format("{}; {:g} % intervals{}{}",
+                           waves.empty() ? count_text(of_.statistics.waves().waves, "wave") : waves,
                            100 * of_.confidence, shows_rare_ ? "; P by [rare] (95 %)" : "",
                            shows_responses_ ? "; slip, tilt: " + responses_title() : "");
     }
@@ -151,7 +151,7 @@ class SheetMaker {
     // "P(touches), HCLPF of 2 limit states: --section stripes, curves"
     [[nodiscard]] std::string left_out_text(std::span<BodyRow const> rows) const {
         std::vector<std::string> what, probabilities, sections;
-        std::size_t capacities = 0;
+        std::int64_t capacities = 0;
         bool responses = false;
         bool curves = false;
         for (auto const& row : rows) {
@@ -185,7 +185,7 @@ class SheetMaker {
             auto all = what;
             all.insert(all.end(), limits.begin(), limits.end());
             if (capacities > 0) {
-                all.push_back(fmt::format("HCLPF of {} limit state{}", capacities, capacities == 1 ? "" : "s"));
+                all.push_back("HCLPF of " + count_text(capacities, "limit state"));
             }
             return all.empty() ? std::string()
                                : fmt::format("{}: --section {}", fmt::join(all, ", "), fmt::join(sections, ", "));

@@ -195,8 +195,7 @@ std::vector<std::string> cut_short_lines(Answered const& of) {
 std::string cost_text(double wall_s, std::int64_t ranks, std::size_t runs, double trials_per_s,
                       std::string const& place) {
     constexpr double least_s = 0.01;  // of a run that found all trials computed already
-    auto const on = fmt::format("{}{}", ranks == 1 ? "1 rank" : fmt::format("{} ranks", ranks),
-                                runs > 1 ? fmt::format(" in {} runs", runs) : "");
+    auto const on = fmt::format("{}{}", count_text(ranks, "rank"), runs > 1 ? fmt::format(" in {} runs", runs) : "");
     return wall_s < least_s ? fmt::format("Took less than {:g} s on {} (times are in {}).", least_s, on, place)
                             : fmt::format("Took {:.3g} s on {}, {:.3g} trials a second (times are in {}).", wall_s, on,
                                           trials_per_s, place);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign/typed_units.hpp"
+#include "core/texts_of.hpp"
 #include "core/wrapped.hpp"
 
 namespace overturn::output {
@@ -26,8 +27,8 @@ std::string columns(SpectrumBand const& band, std::size_t i, double si) {
 std::string lines_above(CampaignSpec const& spec, SpectraOfWaves const& spectra) {
     auto const left_out =
         spectra.left_out > 0 ? fmt::format(" ({} more could not be generated)", spectra.left_out) : "";
-    auto text = wrapped(fmt::format("{} wave{}{}, unscaled. Variability: {}", spectra.waves.size(),
-                                    spectra.waves.size() == 1 ? "" : "s", left_out, spec.source->about().variability));
+    auto text = wrapped(fmt::format("{}{}, unscaled. Variability: {}", count_text(std::ssize(spectra.waves), "wave"),
+                                    left_out, spec.source->about().variability));
     for (auto const& remark : spec.source->about().remarks) {
         text += wrapped("Remark: " + remark);
     }

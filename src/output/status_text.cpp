@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/texts_of.hpp"
+
 namespace overturn::output {
 
 std::string complete_text(Complete const& of) {
@@ -25,14 +27,9 @@ std::string progress_text(Progress const& of) {
 }
 
 std::string extension_text(std::int64_t waves, std::size_t bodies, std::size_t levels, std::string const& progress) {
-    auto const count = [](auto number, char const* one) {
-        return fmt::format("{} {}", number,
-                           number == 1                  ? std::string(one)
-                           : one == std::string("body") ? "bodies"
-                                                        : one + std::string("s"));
-    };
-    return fmt::format("an extension to {}, {} and {} is {}", count(waves, "wave"), count(bodies, "body"),
-                       count(levels, "level"), progress);
+    return fmt::format("an extension to {}, {} and {} is {}", count_text(waves, "wave"),
+                       count_text(static_cast<std::int64_t>(bodies), "body", "bodies"),
+                       count_text(static_cast<std::int64_t>(levels), "level"), progress);
 }
 
 std::string before_extension_text(std::string const& complete) { return "the file until then: " + complete; }

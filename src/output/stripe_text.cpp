@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "campaign/typed_units.hpp"
+#include "core/texts_of.hpp"
 #include "output/detail/interval_text.hpp"
 #include "output/detail/level_columns.hpp"
 #include "output/detail/limit_text.hpp"
@@ -174,9 +175,9 @@ std::string table_stripes_text(std::string const& amplitude, std::span<Stripe co
 
 std::string capacities_text(std::span<Capacity const> capacities, IntensityUnit const& unit) {
     auto text =
-        fmt::format("{} {}, {} to {}; {} not reached\n", capacities.size(),
-                    capacities.size() == 1 ? "capacity" : "capacities", unit.text(capacities.front().intensity),
-                    unit.text(capacities.back().intensity), std::ranges::count(capacities, false, &Capacity::reached));
+        fmt::format("{}, {} to {}; {} not reached\n", count_text(std::ssize(capacities), "capacity", "capacities"),
+                    unit.text(capacities.front().intensity), unit.text(capacities.back().intensity),
+                    std::ranges::count(capacities, false, &Capacity::reached));
     if (auto const moments = moments_of(capacities)) {
         text +=
             moments->beta == 0

@@ -22,8 +22,8 @@ std::vector<std::string> unknown_names_text(store::ResultsReader const& file) {
     }
     std::vector<std::string> models;
     for (auto const& [name, trials] : unknown_models(file)) {
-        models.push_back(fmt::format("model '{}' is not known to this program: its {} trial{} count under no model",
-                                     name, trials, trials == 1 ? "" : "s"));
+        models.push_back(fmt::format("model '{}' is not known to this program: its {} count under no model", name,
+                                     count_text(trials, "trial")));
     }
     std::vector<std::string> lines;
     for (auto const& group : {verdicts, models}) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "core/texts_of.hpp"
 #include "core/wrapped.hpp"
 #include "output/json.hpp"
 #include "output/record_page.hpp"
@@ -116,7 +117,7 @@ std::vector<std::pair<std::string, std::string>> circumstances(Qualification con
         {"machine", shown.machine},
         {"compiler", shown.compiler},
         {"libraries", shown.libraries},
-        {"MPI", fmt::format("{}, {}", shown.mpi, shown.ranks == 1 ? "1 rank" : fmt::format("{} ranks", shown.ranks))},
+        {"MPI", fmt::format("{}, {}", shown.mpi, count_text(shown.ranks, "rank"))},
         {"files in", shown.folder}};
     if (!shown.date.empty()) {
         facts.insert(facts.begin(), {"date", shown.date});

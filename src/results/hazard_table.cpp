@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "core/error.hpp"
+#include "core/texts_of.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
 #include "motion/openquake.hpp"
@@ -224,8 +225,8 @@ HazardCurve parse_hazard(std::string_view content, std::string const& name, Haza
     auto cut = without_zeros(table, unit.si);
     auto& points = cut.points;
     if (points.size() < 2) {
-        throw InputError(where, fmt::format("hazard curve of {} point{} (at least two). Add some", points.size(),
-                                            points.size() == 1 ? "" : "s"));
+        throw InputError(
+            where, fmt::format("hazard curve of {} (at least two). Add some", count_text(std::ssize(points), "point")));
     }
     if (points.front().annual_exceedance == points.back().annual_exceedance) {
         throw InputError({name, table.line.back()},

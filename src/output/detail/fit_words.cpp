@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "core/outward.hpp"
+#include "core/texts_of.hpp"
 #include "output/curve_spread.hpp"
 #include "output/detail/interval_text.hpp"
 #include "results/few_waves.hpp"
@@ -161,17 +162,14 @@ char const* pass_text(FragilityFit const& fit) {
 }
 
 std::string grid_text(std::int64_t waves) {
-    return fmt::format("a grid of {} {} is no sample: no curve", waves, waves == 1 ? "frequency" : "frequencies");
+    return fmt::format("a grid of {} is no sample: no curve", count_text(waves, "frequency", "frequencies"));
 }
 
 std::string few_records_text(std::int64_t records, std::int64_t recordings) {
-    auto const counted = [](std::int64_t count, char const* what) {
-        return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-    };
     return records == recordings
-               ? fmt::format("{}: no probability, which needs {} or more", counted(records, "record"), least_records)
-               : fmt::format("{} of {}: no probability, which needs {} recordings or more", counted(records, "record"),
-                             counted(recordings, "recording"), least_records);
+               ? fmt::format("{}: no probability, which needs {} or more", count_text(records, "record"), least_records)
+               : fmt::format("{} of {}: no probability, which needs {} recordings or more",
+                             count_text(records, "record"), count_text(recordings, "recording"), least_records);
 }
 
 std::string counts_text(SeenBound const& seen) {
