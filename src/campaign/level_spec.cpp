@@ -133,6 +133,11 @@ Dimension LevelSpec::dimension() const { return measure->dimension; }
 
 std::string LevelSpec::units() const { return measure->units(); }
 
+Level const* LevelSpec::design_basis() const {
+    auto const found = std::ranges::find(levels, LevelClass::design_basis, &Level::purpose);
+    return found == levels.end() ? nullptr : &*found;
+}
+
 std::string LevelSpec::text(double value) const {
     auto const unit = shown_units();
     return unit == "1" ? fmt::format("{:.6g}", shown(value)) : fmt::format("{:.6g} {}", shown(value), unit);

@@ -48,6 +48,8 @@ struct LevelSpec {
     [[nodiscard]] std::string shown_units() const { return stated_unit.empty() ? units() : stated_unit; }
     [[nodiscard]] double shown(double value) const { return value / stated_unit_si; }
     [[nodiscard]] std::string text(double value) const;
+    /// The level that is the design basis; null: none is.
+    [[nodiscard]] Level const* design_basis() const;
     /// The factor that brings a wave to `level`; empty if the wave's measure is zero.
     [[nodiscard]] std::optional<double> scale(Level const& level, WaveRow const& wave) const;
 };

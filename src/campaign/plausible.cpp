@@ -56,8 +56,8 @@ void add_other_factor(LevelSpec const& levels, double basis, std::optional<Targe
 
 void add_design_basis(CampaignSpec const& spec, Lines& lines) {
     auto const& levels = spec.levels;
-    auto const basis = std::ranges::find(levels.levels, LevelClass::design_basis, &Level::purpose);
-    if (basis == levels.levels.end()) {
+    auto const* const basis = levels.design_basis();
+    if (basis == nullptr) {
         return;
     }
     auto const& target = spec.source->about().target_pga;

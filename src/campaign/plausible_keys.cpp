@@ -100,9 +100,8 @@ double longest_of_compared(CampaignSpec const& spec) {
     return compared ? stated_number(spec, "waves.target.longest") / compared->to_s : nothing;
 }
 double highest_of_basis(CampaignSpec const& spec) {
-    auto const& levels = spec.levels.levels;
-    auto const basis = std::ranges::find(levels, LevelClass::design_basis, &Level::purpose);
-    return basis == levels.end() ? nothing : levels.back().value / basis->value;
+    auto const* const basis = spec.levels.design_basis();
+    return basis == nullptr ? nothing : spec.levels.levels.back().value / basis->value;
 }
 
 double level_part_s(CampaignSpec const& spec) {

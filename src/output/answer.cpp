@@ -80,12 +80,12 @@ class SheetMaker {
 
     // "600 gal = design", "900 gal = 1.5 x"
     static std::string heading(LevelSpec const& levels, std::size_t level) {
-        auto const base = std::ranges::find(levels.levels, LevelClass::design_basis, &Level::purpose);
+        auto const* const base = levels.design_basis();
         auto const value = levels.levels[level].value;
         return levels.text(value)
-               + (base == levels.levels.end() ? std::string()
-                  : base->value == value      ? std::string(" = design")
-                                              : fmt::format(" = {:.3g} x", value / base->value));
+               + (base == nullptr        ? std::string()
+                  : base->value == value ? std::string(" = design")
+                                         : fmt::format(" = {:.3g} x", value / base->value));
     }
 
     // The annual frequency has a row of its own, or stands behind HCLPF.

@@ -46,7 +46,7 @@ std::string bodies_text(CampaignSpec const& spec, char const* of_several) {
 
 std::string levels_text(LevelSpec const& levels) {
     auto const& all = levels.levels;
-    if (auto const basis = std::ranges::find(all, LevelClass::design_basis, &Level::purpose); basis != all.end()) {
+    if (auto const* const basis = levels.design_basis()) {
         return fmt::format("at the design basis ({} {}) and beyond", levels.measure_label(), levels.text(basis->value));
     }
     return fmt::format("at {} from {} to {}", levels.measure_label(), levels.text(all.front().value),

@@ -23,12 +23,11 @@ constexpr int headline_digits = 3;
 std::string median_end(double value) { return std::isfinite(value) ? fmt::format("{:g}", value) : "open"; }
 
 std::string basis_text(Answered const& of, std::size_t body, std::size_t limit) {
-    auto const& levels = of.spec.levels.levels;
-    auto const basis = std::ranges::find(levels, LevelClass::design_basis, &Level::purpose);
-    if (basis == levels.end()) {
+    auto const* const basis = of.spec.levels.design_basis();
+    if (basis == nullptr) {
         return {};
     }
-    auto const& stripe = of.statistics.bodies()[body].stripes_of(limit)[basis - levels.begin()];
+    auto const& stripe = of.statistics.bodies()[body].stripes_of(limit)[basis - of.spec.levels.levels.data()];
     auto const* const did = limit == 0 ? "overturned" : "exceeded the limit";
     if (!no_probability_text(of).empty()) {
         return fmt::format("at the design basis ({}) {} of {} {}", of.spec.levels.text(basis->value), stripe.overturned,

@@ -17,9 +17,8 @@ namespace {
 
 std::vector<Quote> quotes_of(LevelSpec const& levels) {
     std::vector<Quote> quotes;
-    auto const base = std::find_if(levels.levels.begin(), levels.levels.end(),
-                                   [](Level const& l) { return l.purpose == LevelClass::design_basis; });
-    if (base == levels.levels.end()) {
+    auto const* const base = levels.design_basis();
+    if (base == nullptr) {
         return quotes;
     }
     for (double const multiple : quoted_multiples) {

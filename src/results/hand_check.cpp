@@ -121,7 +121,7 @@ std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
     if (motions.empty()) {
         return checks;
     }
-    auto const basis = std::ranges::find(spec.levels.levels, LevelClass::design_basis, &Level::purpose);
+    auto const* const basis = spec.levels.design_basis();
     for (auto const& body : spec.bodies) {
         HandCheck check;
         check.body = body.name;
@@ -129,7 +129,7 @@ std::vector<HandCheck> hand_checks(CampaignSpec const& spec) {
         check.fractile = fractile_of(motions);
         check.left_out = motions.front().vertical_mps2.empty() ? "" : "vertical";
         check_rocking(check, body.body, motions);
-        if (body.friction && basis != spec.levels.levels.end()) {
+        if (body.friction && basis != nullptr) {
             check_sliding(check, body.friction->kinetic_coefficient, basis->value, motions);
         }
         checks.push_back(check);
