@@ -79,17 +79,11 @@ std::string read_folder(config::Table const& waves, InputFiles const& files) {
     return folder;
 }
 
-// All components by one factor: what they are to each other stays.
 void scale(Record& record, double factor) {
     if (factor == 1) {
         return;
     }
-    for (auto* component :
-         {&record.motion.horizontal_mps2, &record.motion.transverse_mps2, &record.motion.vertical_mps2}) {
-        for (double& value : *component) {
-            value *= factor;
-        }
-    }
+    record.motion.scale(factor);
     record.label += fmt::format(", times {:g}", factor);
 }
 

@@ -8,6 +8,14 @@
 
 namespace overturn {
 
+void GroundMotion::scale(double factor) {
+    for (auto* component : {&horizontal_mps2, &transverse_mps2, &vertical_mps2}) {
+        for (double& a : *component) {
+            a *= factor;
+        }
+    }
+}
+
 void validate_motion(GroundMotion const& motion) {
     validate(motion.time_step_s > 0 && std::isfinite(motion.time_step_s),
              "time step {} s (must be positive and finite). State the step of the samples", motion.time_step_s);

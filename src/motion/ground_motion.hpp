@@ -19,6 +19,8 @@ struct GroundMotion {
     [[nodiscard]] double duration_s() const {
         return samples() == 0 ? 0 : time_step_s * static_cast<double>(samples() - 1);
     }
+    /// All components times `factor`: what they are to each other stays.
+    void scale(double factor);
 };
 
 /// \throws InputError unless there is at least one horizontal sample, the time step is positive, all samples are finite

@@ -37,12 +37,7 @@ std::vector<GroundMotion> unit_motions(CampaignSpec const& spec) {
                                ? spec.levels.scale({1, LevelClass::ordinary}, prepared.row)
                                : std::nullopt;
         if (scale) {
-            auto& motion = prepared.motion;
-            for (auto* component : {&motion.horizontal_mps2, &motion.transverse_mps2, &motion.vertical_mps2}) {
-                for (double& a : *component) {
-                    a *= *scale;
-                }
-            }
+            prepared.motion.scale(*scale);
             motions.push_back(std::move(prepared.motion));
         }
     }

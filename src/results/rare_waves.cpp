@@ -13,11 +13,7 @@ namespace overturn {
 namespace {
 
 GroundMotion times(GroundMotion motion, double factor) {
-    for (auto* series : {&motion.horizontal_mps2, &motion.transverse_mps2, &motion.vertical_mps2}) {
-        for (double& value : *series) {
-            value *= factor;
-        }
-    }
+    motion.scale(factor);
     return motion;
 }
 
