@@ -296,4 +296,10 @@ DrawnBody BodySpec::at_scores(std::span<double const> scores) const {
     return with(*this, values);
 }
 
+std::vector<std::string> names_of(std::span<BodySpec const> bodies) {
+    std::vector<std::string> names;
+    std::ranges::transform(bodies, std::back_inserter(names), &BodySpec::name);
+    return names;
+}
+
 }  // namespace overturn

@@ -65,4 +65,6 @@ extern config::KeyTable const bodies_table;  ///< of [[bodies]]: with `file`
 /// Reads every key of `table` and finishes it. \throws InputError
 [[nodiscard]] BodySpec read_body(config::Table const& table, InputFiles& files);
 
+[[nodiscard]] std::vector<std::string> names_of(std::span<BodySpec const> bodies);
+
 }  // namespace overturn

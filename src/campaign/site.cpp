@@ -159,10 +159,8 @@ std::optional<std::size_t> read_cask_body(Table const& table, std::span<BodySpec
     }
     auto const found = std::ranges::find(bodies, *name, &BodySpec::name);
     if (found == bodies.end()) {
-        std::vector<std::string> names;
-        std::ranges::transform(bodies, std::back_inserter(names), &BodySpec::name);
-        table.fail("cask_body",
-                   fmt::format("'{}' (no body of this campaign). {}", *name, config::suggestion(*name, names)));
+        table.fail("cask_body", fmt::format("'{}' (no body of this campaign). {}", *name,
+                                            config::suggestion(*name, names_of(bodies))));
     }
     return static_cast<std::size_t>(found - bodies.begin());
 }

@@ -95,7 +95,7 @@ class Reader {
         if (header_.specimens.empty()) {
             rows_.fail(cells.back(),
                        fmt::format("no column of outcomes (nothing to compare with). Add one named as a body: {}",
-                                   config::joined(body_names())));
+                                   config::joined(names_of(spec_.bodies))));
         }
     }
 
@@ -103,7 +103,7 @@ class Reader {
         auto bodies = bodies_of(cell.text, spec_);
         if (bodies.empty()) {
             rows_.fail(cell, fmt::format("column {} (no body is named so). {}", in_quotes(cell.text),
-                                         config::suggestion(cell.text, body_names())));
+                                         config::suggestion(cell.text, names_of(spec_.bodies))));
         }
         for (auto const& other : outcomes_.specimens) {
             if (other.name == cell.text) {
@@ -163,14 +163,6 @@ class Reader {
                                   in_quotes(cell.text)));
         }
         return cell.text == "1" ? Outcome::fell : Outcome::stood;
-    }
-
-    [[nodiscard]] std::vector<std::string> body_names() const {
-        std::vector<std::string> names;
-        for (auto const& body : spec_.bodies) {
-            names.push_back(body.name);
-        }
-        return names;
     }
 
     CellRows rows_;

@@ -10,18 +10,11 @@
 #include "campaign/typed_units.hpp"
 #include "output/curve_tables.hpp"
 #include "output/detail/level_unit.hpp"
-#include "output/detail/verdict_names.hpp"
 #include "response/registry.hpp"
 #include "results/rare_results.hpp"
 
 namespace overturn::output {
 namespace {
-
-std::vector<std::string> body_names(CampaignSpec const& spec) {
-    std::vector<std::string> names;
-    std::ranges::transform(spec.bodies, std::back_inserter(names), &BodySpec::name);
-    return names;
-}
 
 Table any_table(CampaignSpec const& spec, BodiesTogether const& of, double confidence) {
     struct Row {
@@ -65,7 +58,7 @@ Table pair_table(CampaignSpec const& spec, BodiesTogether const& of) {
             rows.push_back({&pair, l, of.joint.any.at(l).amplitude});
         }
     }
-    auto const names = body_names(spec);
+    auto const names = names_of(spec.bodies);
     TableOf<Row> table({.name = "pairs",
                         .group = "pairs/" + of.limit,
                         .constants = {{"limit", of.limit}, {"units", spec.levels.units()}}},
@@ -95,17 +88,15 @@ std::vector<Table> together_tables(CampaignSpec const& spec, std::span<BodiesTog
 
 Table telling_trial_table(CampaignSpec const& spec, std::span<TellingTrial const> trials) {
     using Row = TellingTrial;
-    std::vector<std::string> const kinds(telling_kinds.begin(), telling_kinds.end());
     TableOf<Row> table({.name = "telling_trials", .constants = {{"units", spec.levels.units()}}}, trials);
-    table.category("body", "the body", body_names(spec), [&](Row const& t) { return spec.bodies[t.body].name; })
-        .category("kind", "why to inspect it", kinds,
-                  [&](Row const& t) { return kinds.at(static_cast<std::size_t>(t.kind)); })
+    table.add("body", "1", "the body", [&](Row const& t) { return spec.bodies[t.body].name; })
+        .add("kind", "1", "why to inspect it",
+             [](Row const& t) { return std::string(telling_kinds.at(static_cast<std::size_t>(t.kind))); })
         .add("trial", "1", "number of its row in /trials", [](Row const& t) { return t.trial; })
         .add("wave", "1", "number of its wave", [](Row const& t) { return t.wave; })
         .add("level", "1", "number of its level", [](Row const& t) { return t.level; })
         .add("amplitude", level_unit(spec.levels), "value of the level", [](Row const& t) { return t.amplitude; })
-        .category("verdict", "how it ended", verdict_names(),
-                  [](Row const& t) { return std::string(entry_of(t.verdict).name); })
+        .add("verdict", "1", "how it ended", [](Row const& t) { return std::string(entry_of(t.verdict).name); })
         .add("peak_rotation_ratio", "1", "max |theta| / alpha", [](Row const& t) { return t.peak_rotation_ratio; })
         .add("peak_slip", Unit("m").as(typed_units(spec).slip), "max |slip| of the base",
              [](Row const& t) { return t.peak_slip_m; })
@@ -126,7 +117,7 @@ Table hand_check_table(CampaignSpec const& spec, std::span<HandCheck const> chec
     auto const body_of = [&spec](Row const& row) -> BodySpec const& {
         return *std::ranges::find(spec.bodies, row.body, &BodySpec::name);
     };
-    table.category("body", "the body", body_names(spec), [](Row const& row) { return row.body; })
+    table.add("body", "1", "the body", [](Row const& row) { return row.body; })
         .add("waves", "1", "first waves whose spectra are the demand", [](Row const& row) { return row.waves; })
         .add("left_out", "1", "components of the waves that the method leaves out",
              [](Row const& row) { return text_or_none(row.left_out); })

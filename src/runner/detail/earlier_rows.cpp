@@ -17,12 +17,6 @@ std::optional<std::int64_t> level_there(LevelSpec const& there, double value) {
     return found == there.levels.end() ? std::nullopt : std::optional(found - there.levels.begin());
 }
 
-std::vector<std::string> names_of(std::vector<BodySpec> const& bodies) {
-    std::vector<std::string> names;
-    std::ranges::transform(bodies, std::back_inserter(names), &BodySpec::name);
-    return names;
-}
-
 bool any_scatters(std::vector<BodySpec> const& bodies) {
     return std::ranges::any_of(bodies, [](BodySpec const& body) { return !body.scattering().empty(); });
 }
