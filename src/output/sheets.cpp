@@ -23,31 +23,28 @@ namespace {
 // What people look for first; further columns follow by name.
 constexpr std::array stripes_first{"amplitude", "level",     "purpose",     "trials", "overturned", "exceeded",
                                    "failed",    "undecided", "probability", "lower",  "upper"};
-struct CurveColumn {
-    char const* name;
-    bool is_level;  ///< shown in the unit of the levels too
-};
-constexpr std::array curves_first{CurveColumn{"measure", false},
-                                  CurveColumn{"units", false},
-                                  CurveColumn{"measure_units", false},
-                                  CurveColumn{"label", false},
-                                  CurveColumn{"title", false},
-                                  CurveColumn{"state", false},
-                                  CurveColumn{"median", true},
-                                  CurveColumn{"median_lower", true},
-                                  CurveColumn{"median_upper", true},
-                                  CurveColumn{"beta", false},
-                                  CurveColumn{"beta_lower", false},
-                                  CurveColumn{"beta_upper", false},
-                                  CurveColumn{"beta_r", false},
-                                  CurveColumn{"beta_u", false},
-                                  CurveColumn{"five_percent_point", true},
-                                  CurveColumn{"five_percent_point_lower", true},
-                                  CurveColumn{"five_percent_point_upper", true},
-                                  CurveColumn{"hclpf", true},
-                                  CurveColumn{"hclpf_lower", true},
-                                  CurveColumn{"hclpf_upper", true},
-                                  CurveColumn{"one_percent_point", true}};
+// Those in the unit of their measure are shown in the unit of the levels too.
+constexpr std::array curves_first{"measure",
+                                  "units",
+                                  "measure_units",
+                                  "label",
+                                  "title",
+                                  "state",
+                                  "median",
+                                  "median_lower",
+                                  "median_upper",
+                                  "beta",
+                                  "beta_lower",
+                                  "beta_upper",
+                                  "beta_r",
+                                  "beta_u",
+                                  "five_percent_point",
+                                  "five_percent_point_lower",
+                                  "five_percent_point_upper",
+                                  "hclpf",
+                                  "hclpf_lower",
+                                  "hclpf_upper",
+                                  "one_percent_point"};
 
 class Sheets {
   public:
@@ -65,9 +62,7 @@ class Sheets {
         return of_bodies("stripes", "stripes", "amplitude", {stripes_first.begin(), stripes_first.end()});
     }
     [[nodiscard]] Sheet curves() const {
-        std::vector<std::string> first;
-        std::ranges::transform(curves_first, std::back_inserter(first), &CurveColumn::name);
-        return of_bodies("curves", "fragility", "measure", first);
+        return of_bodies("curves", "fragility", "measure", {curves_first.begin(), curves_first.end()});
     }
 
   private:
@@ -125,9 +120,7 @@ class Sheets {
         if (!stated_ || stated_->symbol == level_units_) {
             return;
         }
-        bool const of_curve = !by_row.empty() && std::ranges::any_of(curves_first, [&](CurveColumn const& curve) {
-            return curve.is_level && curve.name == name;
-        });
+        bool const of_curve = !by_row.empty() && std::ranges::count(curves_first, name) > 0;
         if (of_curve || (name == "amplitude" && column.units == level_units_)) {
             source.column.unit = stated_->symbol;
             source.per_unit = stated_->si;
@@ -171,8 +164,8 @@ class Sheets {
 
     store::ResultsReader const& file_;
     std::vector<store::ColumnMeaning> columns_;
-    std::optional<StatedUnit> stated_;         ///< of levels
-    std::map<std::string, StatedUnit> typed_;  ///< of columns, by their SI unit
+    std::optional<IntensityUnit> stated_;         ///< of levels
+    std::map<std::string, IntensityUnit> typed_;  ///< of columns, by their SI unit
     std::string level_units_, level_measure_;
 };
 

@@ -8,26 +8,26 @@
 
 namespace overturn {
 
-std::optional<StatedUnit> stated_unit_of_levels(store::ResultsReader const& file) {
+std::optional<IntensityUnit> stated_unit_of_levels(store::ResultsReader const& file) {
     try {
         auto const input = input_of(file);
         auto const levels = read_levels(config::Table::parse(input.text, input.name, input.settings).child("levels"));
         return levels.stated_unit.empty() ? std::nullopt
-                                          : std::optional(StatedUnit{levels.stated_unit, levels.stated_unit_si});
+                                          : std::optional(IntensityUnit{levels.stated_unit, levels.stated_unit_si});
     } catch (InputError const&) {
         return std::nullopt;  // keys of another program
     }
 }
 
-std::map<std::string, StatedUnit> stated_units_of_columns(store::ResultsReader const& file) {
-    std::map<std::string, StatedUnit> units;
+std::map<std::string, IntensityUnit> stated_units_of_columns(store::ResultsReader const& file) {
+    std::map<std::string, IntensityUnit> units;
     try {
         auto const spec = parse_campaign(input_of(file));
         for (auto const dimension :
              {Dimension::length, Dimension::mass, Dimension::velocity, Dimension::acceleration, Dimension::angle}) {
             auto const si = std::string(si_symbol(dimension));
             if (auto const unit = typed_unit(spec, dimension); unit && unit->symbol != si) {
-                units[si] = {unit->symbol, unit->si};
+                units[si] = *unit;
             }
         }
     } catch (InputError const&) {

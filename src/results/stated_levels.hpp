@@ -5,20 +5,16 @@
 #include <optional>
 #include <string>
 
+#include "stats/intensity_unit.hpp"
 #include "store/results_file.hpp"
 
 namespace overturn {
 
-struct StatedUnit {
-    std::string symbol;  ///< "gal"
-    double si = 1;       ///< SI value of one of it
-};
-
 /// Empty where the campaign states them as bare numbers, or cannot be read by this program: its numbers are SI then.
-[[nodiscard]] std::optional<StatedUnit> stated_unit_of_levels(store::ResultsReader const& file);
+[[nodiscard]] std::optional<IntensityUnit> stated_unit_of_levels(store::ResultsReader const& file);
 
 /// The same of columns whose SI unit is the key ("m", "m/s2"), for what the campaign states in other than SI units.
 /// Without entries where the campaign cannot be read by this program, or records are missing.
-[[nodiscard]] std::map<std::string, StatedUnit> stated_units_of_columns(store::ResultsReader const& file);
+[[nodiscard]] std::map<std::string, IntensityUnit> stated_units_of_columns(store::ResultsReader const& file);
 
 }  // namespace overturn
