@@ -62,8 +62,8 @@ std::int64_t file_bytes(CampaignInput const& input, CampaignSpec const& spec, Pl
     };
     constexpr std::int64_t overhead = 400'000;  // groups, attributes and statistics of a small campaign
     auto bytes = overhead + plan.trials() * width(trial_table(spec)) + plan.waves() * width(wave_table(spec));
-    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        bytes += plan.waves() * width(measure_table(spec, b));
+    for (auto const& table : measure_tables(spec)) {
+        bytes += plan.waves() * width(table);
     }
     for (auto const& table : extra_tables(ModelSelector(spec.effects, spec.accuracy))) {
         bytes += plan.trials() * width(table);

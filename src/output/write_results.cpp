@@ -54,8 +54,8 @@ struct RowTables {
     // \param add table and whether its rows are trials -> number
     template <class Add> RowTables(CampaignSpec const& spec, Add&& add) {
         waves = add(wave_table(spec), false);
-        for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-            if (auto table = measure_table(spec, b); !table.columns.empty()) {
+        for (auto& table : measure_tables(spec)) {
+            if (!table.columns.empty()) {
                 measures.push_back(add(std::move(table), false));
             }
         }

@@ -60,18 +60,45 @@ void check_waves(std::int64_t done, CampaignSpec const& spec, std::int64_t asked
             fmt::format("waves/id has {} rows, the campaign {}", done, asked));
 }
 
-// Calls `take` with each row of a table, some at a time: a file may hold more than memory does.
+// The rows of tables that lie in one record, in their order, some at a time: a file may hold more than memory does. All
+// are empty where their record is, or there are none.
+template <class Value> class RowsAhead {
+  public:
+    /// \param each values of a row's record \param unknown what a record holds of columns that the file does not have
+    RowsAhead(store::ResultsReader const& file, std::vector<store::TableSpec> tables, std::int64_t length,
+              std::int64_t each, std::int64_t at_once = 1 << 14U, Value const& unknown = {})
+        : file_(file), tables_(std::move(tables)), length_(length), each_(each), at_once_(at_once), unknown_(unknown) {}
+
+    [[nodiscard]] std::span<Value const> next() {
+        if (length_ == 0 || each_ == 0) {
+            return {};
+        }
+        auto const place = next_ % at_once_;
+        if (place == 0) {
+            values_.assign(std::min(at_once_, length_ - next_) * each_, unknown_);
+            for (auto const& table : tables_) {
+                file_.rows(table, length_, next_, std::as_writable_bytes(std::span(values_)));
+            }
+        }
+        ++next_;
+        return std::span(values_).subspan(place * each_, each_);
+    }
+
+  private:
+    store::ResultsReader const& file_;
+    std::vector<store::TableSpec> tables_;
+    std::int64_t length_, each_, at_once_, next_ = 0;
+    Value unknown_;
+    std::vector<Value> values_;
+};
+
+// Calls `take` with each row of a table.
 template <class Row, class Take>
 void each_row(store::ResultsReader const& file, store::TableSpec const& table, std::int64_t length, Take take,
               Row const& unknown = {}) {
-    constexpr std::int64_t at_once = 1 << 14U;
-    std::vector<Row> rows;
-    for (std::int64_t first = 0; first < length; first += at_once) {
-        rows.assign(std::min(at_once, length - first), unknown);
-        file.rows(table, length, first, std::as_writable_bytes(std::span(rows)));
-        for (auto const& row : rows) {
-            take(row);
-        }
+    RowsAhead<Row> rows(file, {table}, length, 1, 1 << 14U, unknown);
+    for (std::int64_t row = 0; row < length; ++row) {
+        take(rows.next().front());
     }
 }
 
@@ -83,37 +110,6 @@ bool is_counted(std::string_view column, std::span<LimitState const> limits) {
     return std::ranges::find(counted, column) != counted.end()
            || std::ranges::any_of(limits, [&](LimitState const& limit) { return limit.quantity.name == column; });
 }
-
-// The further columns of models, trial after trial, some at a time; all empty if they are not requested.
-class ExtraRecords {
-  public:
-    ExtraRecords(store::ResultsReader const& file, ModelSelector const& selector, std::int64_t length)
-        : file_(file), tables_(extra_tables(selector)), each_(selector.extra_bytes()), length_(length) {}
-
-    [[nodiscard]] std::span<std::byte const> next() {
-        if (length_ == 0 || each_ == 0) {
-            return {};
-        }
-        auto const place = (next_++ - first_) * each_;
-        if (place < records_.size()) {
-            return std::span(records_).subspan(place, each_);
-        }
-        constexpr std::int64_t at_once = 1 << 14U;
-        first_ = next_ - 1;
-        records_.assign(std::min(at_once, length_ - first_) * each_, {});
-        for (auto const& table : tables_) {
-            file_.rows(table, length_, first_, records_);
-        }
-        return std::span(records_).first(each_);
-    }
-
-  private:
-    store::ResultsReader const& file_;
-    std::vector<store::TableSpec> tables_;
-    std::size_t each_;
-    std::int64_t length_, first_ = 0, next_ = 0;
-    std::vector<std::byte> records_;
-};
 
 // Counts by level; of a column that the file does not have zeros.
 std::vector<std::int64_t> stored_counts(store::ResultsReader const& file, std::string const& place,
@@ -181,34 +177,6 @@ void require_stored_limits(store::ResultsReader const& file, CampaignSpec const&
     }
 }
 
-// /waves/<body> of all bodies, wave after wave, some at a time.
-class StoredMeasures {
-  public:
-    StoredMeasures(store::ResultsReader const& file, CampaignSpec const& spec, std::int64_t waves)
-        : file_(file), bodies_(std::ssize(spec.bodies)), waves_(waves) {
-        for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-            tables_.push_back(measure_table(spec, b));
-        }
-    }
-
-    [[nodiscard]] std::span<MeasureRow const> next() {
-        constexpr std::int64_t at_once = 1 << 12U;
-        if (next_ % at_once == 0) {
-            rows_.assign(std::min(at_once, waves_ - next_) * bodies_, {});
-            for (auto const& table : tables_) {
-                file_.rows(table, waves_, next_, std::as_writable_bytes(std::span(rows_)));
-            }
-        }
-        return std::span(rows_).subspan(next_++ % at_once * bodies_, bodies_);
-    }
-
-  private:
-    store::ResultsReader const& file_;
-    std::vector<store::TableSpec> tables_;
-    std::int64_t bodies_, waves_, next_ = 0;
-    std::vector<MeasureRow> rows_;
-};
-
 }  // namespace
 
 Plan plan_in(store::ResultsReader const& file, CampaignSpec const& spec) {
@@ -228,7 +196,7 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec, T
     auto const plan = plan_in(file, spec);
     auto const done = plan.waves();
     bool const all = held == TrialsHeld::all;
-    StoredMeasures measures(file, spec, done);
+    RowsAhead<MeasureRow> measures(file, measure_tables(spec), done, std::ssize(spec.bodies), 1 << 12U);
     each_row<WaveRow>(file, wave_table(spec), done, [&](WaveRow const& row) {
         statistics.add(row, all ? measures.next() : std::span<MeasureRow const>());
     });
@@ -238,7 +206,9 @@ Statistics recount(store::ResultsReader const& file, CampaignSpec const& spec, T
     }
     std::int64_t const levels = spec.levels.levels.size();
     ModelSelector const selector(spec.effects, spec.accuracy);
-    ExtraRecords extra(file, selector, statistics.reads_extra() ? done * plan.trials_per_wave() : 0);
+    RowsAhead<std::byte> extra(file, extra_tables(selector),
+                               statistics.reads_extra() ? done * plan.trials_per_wave() : 0,
+                               static_cast<std::int64_t>(selector.extra_bytes()));
     auto table = stored_trial_table(file, spec);
     if (!all) {
         std::erase_if(table.columns, [&](Field const& column) { return !is_counted(column.name, spec.limits); });

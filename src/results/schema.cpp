@@ -170,6 +170,14 @@ store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body) {
     return table;
 }
 
+std::vector<store::TableSpec> measure_tables(CampaignSpec const& spec) {
+    std::vector<store::TableSpec> tables;
+    for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
+        tables.push_back(measure_table(spec, body));
+    }
+    return tables;
+}
+
 std::vector<store::TableSpec> extra_tables(ModelSelector const& selector) {
     std::vector<store::TableSpec> tables;
     for (auto const& [traits, offset] : selector.extra_parts()) {

@@ -22,6 +22,8 @@ namespace overturn {
 [[nodiscard]] store::TableSpec refused_wave_table(CampaignSpec const& spec);
 /// /waves/<body>: the energy measures for the body of that number; those with R in the other unit where requested.
 [[nodiscard]] store::TableSpec measure_table(CampaignSpec const& spec, std::size_t body);
+/// Those of all bodies, in their order.
+[[nodiscard]] std::vector<store::TableSpec> measure_tables(CampaignSpec const& spec);
 /// The column of /stripes/<body> that counts a verdict, "contact-lost": "contact_lost".
 [[nodiscard]] std::string column_of(std::string_view verdict);
 /// /trials/<model>: what models that may run here have to say beyond a row of /trials, as columns of a trial's record.

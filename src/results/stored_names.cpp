@@ -68,9 +68,7 @@ bool is_known(ColumnPath const& path, std::span<store::TableSpec const> tables) 
 
 std::vector<store::TableSpec> tables_of_rows(CampaignSpec const& spec) {
     std::vector<store::TableSpec> tables{trial_table(spec), wave_table(spec)};
-    for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
-        tables.push_back(measure_table(spec, body));
-    }
+    std::ranges::move(measure_tables(spec), std::back_inserter(tables));
     return tables;
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 
 #include "results/schema.hpp"
 #include "results/stored_names.hpp"
@@ -16,8 +17,8 @@ StoredRows::StoredRows(store::ResultsReader const& file, CampaignSpec const& spe
       trial_table_(stored_trial_table(file, spec)),
       wave_table_(held_in(file, overturn::wave_table(spec))),
       own_tables_(extra_tables(selector_)) {
-    for (std::size_t body = 0; body < spec.bodies.size(); ++body) {
-        measure_tables_.push_back(held_in(file, measure_table(spec, body)));
+    for (auto& table : overturn::measure_tables(spec)) {
+        measure_tables_.push_back(held_in(file, std::move(table)));
     }
 }
 
