@@ -220,11 +220,11 @@ std::vector<BodyFrequency> frequencies_of(CampaignSpec const& spec, Statistics c
     for (std::size_t b = 0; b < analysis.size(); ++b) {
         double const still = nothing_below(spec, spec.bodies[b]);
         for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
-            auto const& fits = limit == 0 ? analysis[b].fragility : analysis[b].limits[limit - 1].fragility;
             auto const stripes = FragilityData::of_stripes(statistics.bodies()[b].stripes_of(limit));
             double const nothing = needs_motion(spec.limits[limit], spec.limits) ? still : 0;
             if (sample) {
-                all.push_back(frequency_of(fits.front().fit, stripes, hazard, confidence, nothing));
+                all.push_back(
+                    frequency_of(analysis[b].curves_of(limit).front().fit, stripes, hazard, confidence, nothing));
             } else {
                 all.emplace_back();
                 all.back().seen = all.back().interval = {never, never};

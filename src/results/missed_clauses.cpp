@@ -109,6 +109,4 @@ std::vector<MissedClause> MissedClauses::rows() const {
     return rows;
 }
 
-std::vector<std::string> names_of_all_clauses() { return clause_names(); }
-
 }  // namespace overturn

@@ -16,7 +16,7 @@ namespace overturn {
 /// One clause that some waves missed.
 struct MissedClause {
     std::string component;  ///< whose spectrum; empty: it is about the wave as a whole
-    std::string clause;
+    std::string clause;     ///< one of clause_names()
     std::int64_t waves = 0;
     std::optional<double> worst = {};                            ///< the figure of the wave that missed it most
     std::optional<double> from_period_s = {}, to_period_s = {};  ///< range of nine tenths of them [s]
@@ -40,8 +40,5 @@ class MissedClauses {
 
     std::map<std::pair<std::size_t, std::size_t>, Seen> seen_;  ///< by clause and component
 };
-
-/// All values of MissedClause::clause.
-[[nodiscard]] std::vector<std::string> names_of_all_clauses();
 
 }  // namespace overturn

@@ -1,5 +1,6 @@
 #include "output/detail/acceptance_tables.hpp"
 
+#include "generators/acceptance.hpp"
 #include "stats/proportion.hpp"
 
 namespace overturn::output {
@@ -34,7 +35,7 @@ Table clause_table(MissedClauses const& missed) {
     std::vector<MissedClause> const rows = missed.rows();
     TableOf<MissedClause> table({.name = "missed_clauses", .group = "missed_clauses"}, rows);
     table
-        .category("clause", "clause of the acceptance rule", names_of_all_clauses(),
+        .category("clause", "clause of the acceptance rule", clause_names(),
                   [](MissedClause const& row) { return row.clause; })
         .category("component", "component that misses it; whole-wave: the clause is about the whole wave",
                   {"horizontal", "transverse", "vertical", "whole-wave"},
