@@ -79,15 +79,6 @@ Bootstrap resample(std::span<FragilityPoint const> points, std::span<SingleTrial
 // An extreme that holds no curve leaves every end open.
 constexpr Intervals all_open{{0, infinite}, {0, infinite}, {0, infinite}, std::nullopt};
 
-std::vector<SingleTrial> with_open_trials(FragilityData const& data, bool fallen) {
-    auto trials = data.trials;
-    for (auto trial : data.open) {
-        trial.overturned = fallen;
-        trials.push_back(trial);
-    }
-    return trials;
-}
-
 // Undecided trials as `overturned` of all, per stripe or tenth of the trials.
 std::vector<FragilityPoint> undecided_shares(FragilityData const& data) {
     constexpr std::size_t groups = 10;
@@ -193,10 +184,13 @@ UndecidedExtremes weigh_undecided(FragilityData const& data, CurveFit const& dec
                                   FragilityFit::Method method) {
     UndecidedExtremes extremes{false, decided.ends(method), {}};
     double highest = decided.line.log_median();
+    auto extreme = data;
+    extreme.trials.insert(extreme.trials.end(), data.open.begin(), data.open.end());
     for (bool const fallen : {false, true}) {
-        auto extreme = data;
         extreme.points = with_undecided(data, fallen);
-        extreme.trials = with_open_trials(data, fallen);
+        for (auto& trial : std::span(extreme.trials).subspan(data.trials.size())) {
+            trial.overturned = fallen;
+        }
         auto const attempt =
             state_of(extreme.points) == FragilityState::fitted ? fit_curve(extreme, request) : CurveAttempt{};
         widen(extremes.ends, attempt.curve ? attempt.curve->ends(method) : all_open);
