@@ -1,13 +1,11 @@
 #include "cli/campaign_hazard.hpp"
 
-#include <filesystem>
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/json_values.hpp"
+#include "cli/named_files.hpp"
 #include "core/error.hpp"
-#include "core/input_files.hpp"
 #include "output/frequency_text.hpp"
 #include "output/json.hpp"
 #include "output/summary_tables.hpp"
@@ -24,8 +22,7 @@ std::optional<HazardCurve> hazard_of_campaign(std::string const& path, CampaignI
     validate(!spec.is_grid(),
              "--hazard for waves on a grid of frequencies (no random sample: nothing happens so often a year). "
              "Leave it out");
-    InputFiles files(std::filesystem::path("."));
-    return parse_hazard(files.read(path), path, spec.levels);
+    return parse_hazard(read_named(path), path, spec.levels);
 }
 
 std::vector<BodyFrequency> add_frequencies(std::string const& path, CampaignInput const& input,

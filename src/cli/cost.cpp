@@ -1,11 +1,11 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <span>
 
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "cli/named_files.hpp"
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
 #include "cost/sensitivity.hpp"
@@ -61,49 +61,44 @@ void check(CostOptions const& options) {
         store::require_writable(*options.output);
     }
     if (!options.page.empty()) {
-        report::check_page_name(options.page);
-        store::require_writable(options.page);
+        require_page(options.page);
     }
 }
 
-void write_page(std::string const& name, std::string const& page) {
-    store::write_durably(name, std::as_bytes(std::span(page)));
-    print_note("page: {}\n", name);
-}
-
-int sensitivity(CostOptions const& options) {
-    auto const input = load_campaign(options.campaign, options.settings);
-    Remaining remaining;
-    auto const found = cost::study_sensitivity(input, options.waves.value_or(0),
-                                               [&](double done, double left_s) { remaining(done, left_s); });
-    auto json = output::json_of(cost::sensitivity_tables(found));
+// Prints a study as text or JSON. \return the JSON
+output::Json printed(CostOptions const& options, CampaignInput const& input, std::vector<output::Table> const& tables,
+                     std::string const& text) {
+    auto json = output::json_of(tables);
     json["campaign_sha256"] = input.sha256();
-    fmt::print("{}", options.json ? json.dump(2) + "\n" : cost::sensitivity_text(found));
+    fmt::print("{}", options.json ? json.dump(2) + "\n" : text);
+    return json;
+}
+
+void write_page(CostOptions const& options, std::string (*page_of)(output::Json const&), output::Json const& json) {
     if (!options.page.empty()) {
-        write_page(options.page, report::sensitivity_page(json));
+        store::write_durably(options.page, page_of(json));
+        print_note("page: {}\n", options.page);
     }
-    return done;
 }
 
 int study(CostOptions const& options) {
     check(options);
-    if (options.sensitivity) {
-        return sensitivity(options);
-    }
     auto const input = load_campaign(options.campaign, options.settings);
     Remaining remaining;
-    auto const found = cost::run_study(input, {.waves = options.waves.value_or(0)},
-                                       [&](double done, double left_s) { remaining(done, left_s); });
-    auto json = output::json_of(cost::study_tables(found));
-    json["campaign_sha256"] = input.sha256();
-    fmt::print("{}", options.json ? json.dump(2) + "\n" : cost::study_text(found));
+    auto const progress = [&](double done, double left_s) { remaining(done, left_s); };
+    if (options.sensitivity) {
+        auto const found = cost::study_sensitivity(input, options.waves.value_or(0), progress);
+        write_page(options, &report::sensitivity_page,
+                   printed(options, input, cost::sensitivity_tables(found), cost::sensitivity_text(found)));
+        return done;
+    }
+    auto const found = cost::run_study(input, {.waves = options.waves.value_or(0)}, progress);
+    auto const json = printed(options, input, cost::study_tables(found), cost::study_text(found));
     if (options.output) {
         cost::write_study(*options.output, input, found);
         print_note("study: {}\n", *options.output);
     }
-    if (!options.page.empty()) {
-        write_page(options.page, report::cost_page(json));
-    }
+    write_page(options, &report::cost_page, json);
     return done;
 }
 

@@ -1,8 +1,6 @@
-#include <filesystem>
-
 #include "cli/capacity_csv.hpp"
 #include "cli/fit_tables.hpp"
-#include "core/input_files.hpp"
+#include "cli/named_files.hpp"
 #include "output/stripe_tables.hpp"
 #include "output/stripe_text.hpp"
 #include "stats/capacity_fit.hpp"
@@ -10,8 +8,7 @@
 namespace overturn::cli {
 
 int fit_capacities(FitOptions const& options) {
-    InputFiles files(std::filesystem::path("."));
-    auto const table = parse_capacities(files.read(options.capacities), options.capacities);
+    auto const table = parse_capacities(read_named(options.capacities), options.capacities);
     TableFit fit{.axis = {.option = "--capacities",
                           .column = table.column,
                           .measure = table.measure,

@@ -1,5 +1,4 @@
 #include <cmath>
-#include <filesystem>
 #include <optional>
 
 #include <fmt/format.h>
@@ -7,8 +6,8 @@
 
 #include "cli/command_line.hpp"
 #include "cli/fit_tables.hpp"
+#include "cli/named_files.hpp"
 #include "core/error.hpp"
-#include "core/input_files.hpp"
 #include "core/wrapped.hpp"
 #include "motion/column_unit.hpp"
 #include "output/curve_spread.hpp"
@@ -52,8 +51,7 @@ int fit_stated(FitOptions const& options) {
     constexpr double none = 1;     // no sample, no confidence: bounds
     constexpr double ends = 3.09;  // from a P of 0.1 % to one of 99.9 %
     if (!options.hazard.empty()) {
-        InputFiles files(std::filesystem::path("."));
-        auto hazard = parse_hazard(files.read(options.hazard), options.hazard,
+        auto hazard = parse_hazard(read_named(options.hazard), options.hazard,
                                    {.label = "",
                                     .dimension = curve.dimension,
                                     .unit = curve.unit,

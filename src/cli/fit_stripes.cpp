@@ -1,13 +1,12 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include <fmt/format.h>
 
 #include "cli/fit_tables.hpp"
+#include "cli/named_files.hpp"
 #include "cli/stripe_csv.hpp"
 #include "core/error.hpp"
-#include "core/input_files.hpp"
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
 #include "output/curve_text.hpp"
@@ -72,8 +71,7 @@ FragilityData data_of(StripeTable const& table, FitOptions const& options) {
 }  // namespace
 
 int fit_stripes(FitOptions const& options) {
-    InputFiles files(std::filesystem::path("."));
-    auto const table = parse_stripes(files.read(options.stripes), options.stripes);
+    auto const table = parse_stripes(read_named(options.stripes), options.stripes);
     auto request = request_of(options);
     TableFit fit{.axis = {.option = "--stripes",
                           .column = table.amplitude,

@@ -1,25 +1,12 @@
 #include "cli/history.hpp"
 
-#include <system_error>
-
 #include "campaign/typed_units.hpp"
-#include "core/error.hpp"
+#include "cli/named_files.hpp"
 #include "core/units.hpp"
 
 namespace overturn::cli {
-namespace {
 
-fmt::ostream open(std::string const& path) {
-    try {
-        return fmt::output_file(path);
-    } catch (std::system_error const& error) {
-        throw InputError(fmt::format("{}: cannot be written ({}). Choose another place", path, error.code().message()));
-    }
-}
-
-}  // namespace
-
-HistoryFile::HistoryFile(std::string const& path) : file_(open(path)) {}
+HistoryFile::HistoryFile(std::string const& path) : file_(open_named(path)) {}
 
 HistoryFile::HistoryFile(std::string const& path, CampaignSpec const& spec) : HistoryFile(path) {
     for (auto const& [end, dimension] :

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <functional>
 #include <numeric>
 #include <vector>
@@ -10,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/json_values.hpp"
+#include "cli/named_files.hpp"
 #include "cli/outcome_csv.hpp"
 #include "cli/shown_trials.hpp"
-#include "core/input_files.hpp"
 #include "core/print_note.hpp"
 #include "model/verdict.hpp"
 #include "output/page_text.hpp"
@@ -105,8 +104,7 @@ Json outcomes_data(std::string const& path, CampaignSpec const& spec, Plan const
     if (path.empty()) {
         return nullptr;
     }
-    InputFiles files(std::filesystem::path("."));
-    auto const outcomes = parse_outcomes(files.read(path), path, spec, plan);
+    auto const outcomes = parse_outcomes(read_named(path), path, spec, plan);
     for (auto const& line : outcomes.unread) {
         print_note("{}: not understood, {}\n", path, line);
     }

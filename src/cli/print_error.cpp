@@ -19,7 +19,6 @@
 #include "core/text_width.hpp"
 
 namespace overturn::cli {
-namespace {}  // namespace
 
 bool is_first_rank() {
     static constexpr std::array names{"OMPI_COMM_WORLD_RANK", "PMI_RANK", "PMIX_RANK", "SLURM_PROCID"};

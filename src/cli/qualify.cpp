@@ -62,8 +62,7 @@ class Bench {
 
 int print_outcome(QualifyOptions const& options, qualify::Qualification const& shown) {
     if (options.page) {
-        auto const page = qualify::page_of(shown);
-        store::write_durably(*options.page, std::as_bytes(std::span(page)));
+        store::write_durably(*options.page, qualify::page_of(shown));
     }
     fmt::print("{}", options.json ? qualify::json_of(shown).dump(2) + "\n" : qualify::text_of(shown));
     return shown.passed() ? done : other_failure;

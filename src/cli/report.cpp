@@ -17,6 +17,7 @@
 #include "cli/figures.hpp"
 #include "cli/fit_options.hpp"
 #include "cli/json_values.hpp"
+#include "cli/named_files.hpp"
 #include "cli/outcome_report.hpp"
 #include "cli/plan_bodies.hpp"
 #include "cli/rare_waves_json.hpp"
@@ -37,7 +38,6 @@
 #include "output/summary_tables.hpp"
 #include "output/unknown_names.hpp"
 #include "output/waves_text.hpp"
-#include "report/cost_page.hpp"
 #include "report/figure.hpp"
 #include "response/registry.hpp"
 #include "results/analysis.hpp"
@@ -123,8 +123,7 @@ std::string hexadecimal(std::string_view bytes) {
 
 // Before any work: is there a place for page and figures?
 void check_places(ReportOptions const& options) {
-    report::check_page_name(options.page);
-    store::require_writable(options.page);
+    require_page(options.page);
     if (!options.figures.empty()) {
         std::error_code error;
         fs::create_directories(options.figures, error);
@@ -185,10 +184,10 @@ Json answer_of(output::Answered const& of) {
             {"depends", sheet.dependence}};
 }
 
-void add_rare(store::ResultsReader const& file, CampaignSpec const& spec, Json& data) {
+void add_rare(store::ResultsReader const& file, CampaignSpec const& spec, std::span<RareBody const> rare, Json& data) {
     data["rare"] = Json::object();
     if (spec.rare) {
-        data["fit"].update(output::json_of(output::rare_tables(spec, read_rare_estimates(file, spec))));
+        data["fit"].update(output::json_of(output::rare_tables(spec, rare)));
         for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
             data["rare"][spec.bodies[b].name] = rare_waves_json(rare_waves(file, spec, b));
         }
@@ -245,14 +244,14 @@ int write_report(ReportOptions const& options) {
     data["fit"]["telling_trials"] = output::json_of(output::telling_trial_table(spec, telling));
     add_checks(checks, options.file, file, data);
     add_hand_checks(spec, statistics, analysis, data);
-    add_rare(file, spec, data);
+    auto const rare = read_rare_estimates(file, spec);
+    add_rare(file, spec, rare, data);
     data["changed"] = changed ? output::changed_file_text() : "";
     data["facts"] = output::facts_of(spec, plan, statistics);
     data["method"] = output::method_of(spec);
     add_stated_facts(options, spec, confidence, data);
     add_cover(options, spec, data);
     auto const frequencies = add_frequencies(options.hazard, input, spec, statistics, analysis, confidence, data);
-    auto const rare = spec.rare ? read_rare_estimates(file, spec) : std::vector<RareBody>{};
     output::Answered const answered{.spec = spec,
                                     .statistics = statistics,
                                     .analysis = analysis,
@@ -279,8 +278,7 @@ int write_report(ReportOptions const& options) {
         output::histories_text(histories.bodies, spec.bodies.size(), histories.at_rest_at_design_basis);
     data["outcomes"] = outcomes_data(options.outcomes, spec, plan, file);
     data["cost"] = cost_of(options.file);
-    auto const page = report::figure_text("campaign_page.py", data, ".html");
-    store::write_durably(options.page, std::as_bytes(std::span(page)));
+    store::write_durably(options.page, report::figure_text("campaign_page.py", data, ".html"));
     print_note("page: {}{}\n", options.page,
                options.figures.empty() ? "" : fmt::format(", figures and tables: {}", options.figures));
     return done;

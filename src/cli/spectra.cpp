@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "campaign/warnings.hpp"
+#include "cli/scene_files.hpp"
 #include "cli/spectra_of_waves.hpp"
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
@@ -38,9 +39,7 @@ int show_spectra(SpectraOptions const& options) {
     }
     auto const input = load_campaign(options.campaign, options.settings);
     auto const spec = parse_campaign(input);
-    for (auto const& line : warnings_of(spec)) {
-        print_note("warning: {}\n", line);
-    }
+    note_warnings(warnings_of(spec));
     auto const spectra = spectra_of_waves(input, spec, options.waves, options.damping);
     auto json = spectra_json(spec, spectra);
     if (!options.plot.empty()) {

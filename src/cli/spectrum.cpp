@@ -1,5 +1,4 @@
 #include <memory>
-#include <span>
 #include <tuple>
 
 #include <fmt/format.h>
@@ -71,8 +70,7 @@ template <class Found> int show(Found const& found, char const* figure, Spectrum
         report::draw_figure(figure, json, options.plot);
     }
     if (!options.overturning.output.empty()) {
-        auto const csv = csv_of(found);
-        store::write_durably(options.overturning.output, std::as_bytes(std::span(csv)));
+        store::write_durably(options.overturning.output, csv_of(found));
     }
     fmt::print("{}", options.json ? json.dump(2) + "\n" : text_of(found));
     return done;

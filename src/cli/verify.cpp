@@ -2,18 +2,17 @@
 
 #include <memory>
 #include <optional>
-#include <span>
 
 #include <fmt/format.h>
 
 #include "campaign/withheld_inputs.hpp"
 #include "cli/collective.hpp"
+#include "cli/named_files.hpp"
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
 #include "output/json.hpp"
 #include "output/made_by.hpp"
 #include "output/verified_text.hpp"
-#include "report/cost_page.hpp"
 #include "results/recount.hpp"
 #include "runner/root_broadcast.hpp"
 #include "store/durable.hpp"
@@ -42,8 +41,7 @@ int print_outcome(VerifyOptions const& options, store::ResultsReader const& file
         print_note("overturn: {}: {}\n", options.file, line);
     }
     if (options.page) {
-        auto const page = output::verified_page(json);
-        store::write_durably(*options.page, std::as_bytes(std::span(page)));
+        store::write_durably(*options.page, output::verified_page(json));
     }
     fmt::print("{}", options.json ? json.dump(2) + "\n" : output::verified_text(of, found, json));
     if (found.all_equal()) {
@@ -57,8 +55,7 @@ int verify(VerifyOptions const& options, parallel::Communicator const& comm) {
     // One rank holds the file against its seal for all, and sees that the record can be written before hours are spent.
     (void)broadcast_from_root(comm, [&] {
         if (options.page) {
-            report::check_page_name(*options.page);
-            store::require_writable(*options.page);
+            require_page(*options.page);
         }
         store::ResultsReader const file(options.file, options.unverified.trust());
         return std::string();

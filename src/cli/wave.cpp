@@ -1,14 +1,12 @@
 #include <cstdio>
 #include <filesystem>
 #include <memory>
-#include <system_error>
 #include <utility>
-
-#include <fmt/os.h>
 
 #include "campaign/plan.hpp"
 #include "campaign/warnings.hpp"
 #include "cli/figures.hpp"
+#include "cli/named_files.hpp"
 #include "cli/velocity_unit.hpp"
 #include "cli/verbs.hpp"
 #include "core/print_note.hpp"
@@ -37,14 +35,6 @@ OutputKind kind_of(std::string const& output) {
     return extension == ".csv" ? OutputKind::csv : OutputKind::at2;
 }
 
-void write_file(std::string const& path, std::string const& text) {
-    try {
-        fmt::output_file(path).print("{}", text);
-    } catch (std::system_error const& error) {
-        throw InputError(fmt::format("{}: cannot be written ({}). Choose another place", path, error.code().message()));
-    }
-}
-
 // One file per component; beside others each says which it is: wave-H1.at2, wave-UP.at2.
 std::vector<std::string> write_at2(GroundMotion const& motion, std::string const& identity, std::string const& output) {
     std::vector<std::pair<char const*, std::vector<double> const*>> const components{
@@ -58,7 +48,7 @@ std::vector<std::string> write_at2(GroundMotion const& motion, std::string const
         }
         auto const file = fmt::format("{}-{}{}", path.stem().string(), name, path.extension().string());
         written.push_back(single ? output : (path.parent_path() / file).string());
-        write_file(written.back(), at2_text(*values, motion.time_step_s, identity, name));
+        open_named(written.back()).print("{}", at2_text(*values, motion.time_step_s, identity, name));
     }
     return written;
 }
@@ -66,7 +56,7 @@ std::vector<std::string> write_at2(GroundMotion const& motion, std::string const
 void write_output(WaveOptions const& options, std::uint64_t seed, GeneratedWave const& made) {
     std::vector<std::string> written{options.output};
     if (kind_of(options.output) == OutputKind::csv) {
-        write_file(options.output, csv_text(made.motion));
+        open_named(options.output).print("{}", csv_text(made.motion));
     } else {
         written = write_at2(made.motion, fmt::format("{}, seed {}, wave {}", options.campaign, seed, options.wave),
                             options.output);
@@ -108,9 +98,7 @@ int show_wave(WaveOptions const& options) {
         print_note("{}: {}\n", options.plot, made.label);
     }
     print_note("{}", output::wave_text(spec, made, check));
-    for (auto const& line : warnings_of(spec)) {
-        print_note("warning: {}\n", line);
-    }
+    note_warnings(warnings_of(spec));
     return done;
 }
 

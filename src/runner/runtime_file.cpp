@@ -101,9 +101,8 @@ void write_runtime(std::filesystem::path const& output, std::span<std::string co
                     {"segments", list}, {"ranks", ranks}};
     auto path = output;
     path.replace_extension(".runtime.json");
-    auto const content = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     try {
-        store::write_durably(path, std::as_bytes(std::span(content)));
+        store::write_durably(path, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
     } catch (SystemError const& error) {
         print_note("the times of this run are not kept: {}\n", error.what());
     }

@@ -213,6 +213,10 @@ void write_durably(std::filesystem::path const& path, std::span<std::byte const>
     write_durably(std::span(&file, 1));
 }
 
+void write_durably(std::filesystem::path const& path, std::string_view text) {
+    write_durably(path, std::as_bytes(std::span(text)));
+}
+
 void write_durably(std::span<FileContent const> files) {
     constexpr std::size_t most_open = 64;
     for (; !files.empty(); files = files.subspan(std::min(most_open, files.size()))) {

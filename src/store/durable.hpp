@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace overturn::store {
 
@@ -22,6 +23,7 @@ inline constexpr char const* unfinished_mark = ".tmp";
 /// Writes `content` under `path`, whole or not at all, whoever else writes it.
 /// \throws SystemError saying what failed (full disk, no right, ...)
 void write_durably(std::filesystem::path const& path, std::span<std::byte const> content);
+void write_durably(std::filesystem::path const& path, std::string_view text);
 
 /// Path and content of a file to be written.
 struct FileContent {
