@@ -27,10 +27,8 @@ struct StatedMedian {
 StatedMedian read_median(std::string const& text) {
     auto const [number, unit] =
         stated_number(text, "--median", "a number above 0 with its unit). Write for example '0.9 g'");
-    for (auto const dimension : {Dimension::acceleration, Dimension::velocity, Dimension::length}) {
-        if (auto const si = unit.empty() ? std::nullopt : unit_spelled(unit, dimension)) {
-            return {number * *si, {std::string(unit), *si}, dimension};
-        }
+    if (auto const known = intensity_unit_spelled(unit)) {
+        return {number * known->si, {std::string(unit), known->si}, known->dimension};
     }
     throw InputError(
         fmt::format("--median: '{}' (states no unit of acceleration, velocity or length). Write for "

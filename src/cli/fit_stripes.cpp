@@ -29,12 +29,10 @@ double design_basis_of(std::string const& text, StripeTable const& table) {
             text, table.amplitude);
         return number;
     }
-    for (auto const dimension : {Dimension::acceleration, Dimension::velocity, Dimension::length}) {
-        auto const of_table = unit_spelled(table.unit, dimension);
-        auto const own = unit_spelled(unit, dimension);
-        if (of_table && own) {
-            return number * *own / *of_table;
-        }
+    auto const of_table = intensity_unit_spelled(table.unit);
+    auto const own = intensity_unit_spelled(unit);
+    if (of_table && own && of_table->dimension == own->dimension) {
+        return number * own->si / of_table->si;
     }
     throw InputError(fmt::format("--design-basis: '{}' beside '{}' (units that cannot be converted). State it in {}",
                                  text, table.amplitude, table.unit));

@@ -1,34 +1,17 @@
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "cli/fit_tables.hpp"
+#include "cli/named_files.hpp"
 #include "core/error.hpp"
-#include "core/input_files.hpp"
 #include "core/units.hpp"
 #include "motion/column_unit.hpp"
 #include "results/hazard_table.hpp"
 
 namespace overturn::cli {
-namespace {
-
-// What a unit measures, and its SI value.
-std::pair<Dimension, double> dimension_of(TableAxis const& axis) {
-    for (auto const dimension : {Dimension::acceleration, Dimension::velocity, Dimension::length}) {
-        if (auto const si = unit_spelled(axis.unit, dimension)) {
-            return {dimension, *si};
-        }
-    }
-    throw InputError(
-        fmt::format("--hazard beside {}: column '{}' (no unit of acceleration, velocity or length). Call it "
-                    "for example 'pga [g]'",
-                    axis.option, axis.column));
-}
-
-}  // namespace
 
 StatedNumber stated_number(std::string_view text, std::string_view option, std::string_view what) {
     auto const plain = trimmed(text);
@@ -47,11 +30,15 @@ HazardCurve hazard_of_table(FitOptions const& options, TableAxis const& axis) {
         axis.measure != "sa",
         "--hazard beside {}: column '{}' states no period (of which oscillator?). Call it for example 'sa(1 s) [{}]'",
         axis.option, axis.column, axis.unit);
-    auto const [dimension, si] = dimension_of(axis);
-    InputFiles files(std::filesystem::path("."));
-    auto const hazard = parse_hazard(files.read(options.hazard), options.hazard,
+    auto const unit = intensity_unit_spelled(axis.unit);
+    validate(unit.has_value(),
+             "--hazard beside {}: column '{}' (no unit of acceleration, velocity or length). Call it for example "
+             "'pga [g]'",
+             axis.option, axis.column);
+    double const si = unit->si;
+    auto const hazard = parse_hazard(read_named(options.hazard), options.hazard,
                                      {.label = axis.measure,
-                                      .dimension = dimension,
+                                      .dimension = unit->dimension,
                                       .unit = {axis.unit, si},
                                       .lowest = axis.lowest * si,
                                       .highest = axis.highest * si,

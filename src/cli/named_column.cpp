@@ -1,7 +1,6 @@
 #include "cli/named_column.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <optional>
 #include <span>
@@ -10,6 +9,7 @@
 
 #include "campaign/intensity_measure.hpp"
 #include "core/error.hpp"
+#include "core/parts_of.hpp"
 #include "core/units.hpp"
 #include "motion/column_role.hpp"
 #include "motion/column_unit.hpp"
@@ -59,10 +59,7 @@ NamedColumn named_column(std::string_view cell) {
     } else if (auto const mark = cell.find_last_of("_ "); mark != std::string_view::npos && mark >= from) {
         NamedColumn before{{}, trimmed(cell.substr(0, period ? 2 : mark)), {}};
         auto const unit = trimmed(cell.substr(mark + 1));
-        bool const known =
-            std::ranges::any_of(std::array{Dimension::acceleration, Dimension::velocity, Dimension::length},
-                                [&](Dimension dimension) { return unit_spelled(unit, dimension).has_value(); });
-        if (known && before.is_intensity()) {
+        if (intensity_unit_spelled(unit) && before.is_intensity()) {
             column = {lowered(trimmed(cell.substr(0, mark))), before.bare, unit};
         }
     }
@@ -93,10 +90,8 @@ namespace {
 
 /// Of a unit, or of a measure that the name states; none: it may be any.
 Dimension dimension_of(NamedColumn const& column) {
-    for (auto const dimension : {Dimension::acceleration, Dimension::velocity, Dimension::length}) {
-        if (unit_spelled(column.unit, dimension)) {
-            return dimension;
-        }
+    if (auto const unit = intensity_unit_spelled(column.unit)) {
+        return unit->dimension;
     }
     auto const* const measure = measure_called(column.bare);
     return measure == nullptr || !column.unit.empty() ? Dimension::none : measure->dimension;
@@ -110,18 +105,14 @@ void check_lines_on(NamedColumn const& column, std::span<TextLine const> lines, 
         bool named = false;
         bool same = false;
         bool other = false;
-        auto const is_of_word = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '/'; };
-        for (std::size_t at = 0; at < lower.size();) {
-            std::size_t end = at;
-            while (end < lower.size() && is_of_word(lower[end])) {
-                ++end;
-            }
-            auto const word = std::string_view(lower).substr(at, end - at);
+        auto words = lower;
+        std::ranges::replace_if(
+            words, [](unsigned char c) { return std::isalnum(c) == 0 && c != '/'; }, ' ');
+        for (auto const word : parts_of(words, ' ')) {
             double const unit = word.empty() ? 0 : unit_spelled(word, dimension).value_or(0);  // 0: none
             named = named || word == lowered(column.bare);
             same = same || unit == own;
             other = other || (unit > 0 && unit != own);
-            at = end + 1;
         }
         bool const number = std::ranges::any_of(lower, [](unsigned char c) { return std::isdigit(c) != 0; });
         if (named && other && !same && !number) {

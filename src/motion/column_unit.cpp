@@ -127,6 +127,15 @@ bool is_unit(std::string_view text) {
 
 }  // namespace
 
+std::optional<IntensitySpelled> intensity_unit_spelled(std::string_view text) {
+    for (auto const dimension : {Dimension::acceleration, Dimension::velocity, Dimension::length}) {
+        if (auto const si = text.empty() ? std::nullopt : unit_spelled(text, dimension)) {
+            return IntensitySpelled{dimension, *si};
+        }
+    }
+    return std::nullopt;
+}
+
 UnitText unit_text_in_name(std::string_view name) {
     UnitText first;
     for (auto open = name.find_first_of("(["); open != std::string_view::npos;

@@ -13,6 +13,13 @@ namespace overturn {
 /// is none of the dimension's: acceleration, velocity, length, time. Capitals do not count.
 [[nodiscard]] std::optional<double> unit_spelled(std::string_view text, Dimension dimension);
 
+/// A unit of an intensity: of acceleration, velocity or length. Nothing if it is none of these.
+struct IntensitySpelled {
+    Dimension dimension = Dimension::none;
+    double si = 1;
+};
+[[nodiscard]] std::optional<IntensitySpelled> intensity_unit_spelled(std::string_view text);
+
 /// Text of the unit in a column's name: in its brackets, "acceleration (g)", of several those that hold a unit, "Se(T)
 /// (g)", or behind its last blank or underscore, "ax_mps2"; empty without either.
 struct UnitText {
