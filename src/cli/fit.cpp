@@ -140,14 +140,19 @@ Fitted fitted(FitOptions const& options, output::TextOptions const& text, store:
     return all;
 }
 
-output::Answered answered_of(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics) {
-    return {.spec = spec,
-            .statistics = statistics,
-            .analysis = all.analysis,
-            .confidence = all.confidence,
-            .frequencies = all.frequencies,
-            .beta_u_of_campaign = all.beta_u_of_campaign,
-            .rare = all.rare};
+output::Printed printed_of(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics) {
+    return {.answered = {.spec = spec,
+                         .statistics = statistics,
+                         .analysis = all.analysis,
+                         .confidence = all.confidence,
+                         .frequencies = all.frequencies,
+                         .beta_u_of_campaign = all.beta_u_of_campaign,
+                         .rare = all.rare},
+            .few = all.few,
+            .telling = all.telling,
+            .by_hand = all.by_hand,
+            .pairs = all.pairs,
+            .hazard = all.hazard ? &*all.hazard : nullptr};
 }
 
 output::Json levels_json(LevelSpec const& levels) {
@@ -171,12 +176,7 @@ void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics c
     json["unverified"] = changed;
     json["unknown_columns"] = unknown;
     json["interim"] = interim;
-    auto tables = output::json_tables({.answered = answered_of(all, spec, statistics),
-                                       .few = all.few,
-                                       .telling = all.telling,
-                                       .by_hand = all.by_hand,
-                                       .pairs = all.pairs,
-                                       .hazard = all.hazard ? &*all.hazard : nullptr});
+    auto tables = output::json_tables(printed_of(all, spec, statistics));
     if (all.hazard) {
         json["hazard_notes"] = all.hazard->remarks();
     }
@@ -190,22 +190,14 @@ void print_fitted_json(Fitted const& all, CampaignSpec const& spec, Statistics c
 
 void print_fitted(Fitted const& all, CampaignSpec const& spec, Statistics const& statistics, bool withheld,
                   std::string const& file, output::TextOptions const& text) {
+    auto printed = printed_of(all, spec, statistics);
     auto const shared = warning_of_shared_draws(spec);
-    std::string notes = shared.empty() ? std::string() : wrapped("note: " + shared, 4);
+    printed.notes = shared.empty() ? std::string() : wrapped("note: " + shared, 4);
     if (all.by_hand.empty() && withheld) {
-        notes += "note: no hand calculation without the records (inputs = \"hash-only\")\n";
+        printed.notes += "note: no hand calculation without the records (inputs = \"hash-only\")\n";
     }
-    auto const answered = answered_of(all, spec, statistics);
-    fmt::print("{}", output::results_text({.answered = answered,
-                                           .few = all.few,
-                                           .rare = all.rare,
-                                           .telling = all.telling,
-                                           .by_hand = all.by_hand,
-                                           .pairs = all.pairs,
-                                           .hazard = all.hazard ? &*all.hazard : nullptr,
-                                           .notes = notes,
-                                           .file = file},
-                                          text));
+    printed.file = file;
+    fmt::print("{}", output::results_text(printed, text));
 }
 
 int fit_file(FitOptions const& options) {

@@ -13,16 +13,6 @@
 #include "output/typed_columns.hpp"
 
 namespace overturn::output {
-namespace {
-
-void append(Json& list, Json more) {
-    for (auto& item : more) {
-        list.push_back(std::move(item));
-    }
-}
-
-}  // namespace
-
 Json warnings_json(std::string const& body, std::span<MeasuredFragility const> fits, double confidence,
                    WarningUnits units) {
     auto list = Json::array();
@@ -52,7 +42,8 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::span<
     json["verdict"] = Json::array();
     for (auto const& body : analysis) {
         for (std::size_t limit = 0; limit < spec.limits.size(); ++limit) {
-            append(json["warnings"], warnings_json(body.body, body.curves_of(limit), confidence, units));
+            auto const warnings = warnings_json(body.body, body.curves_of(limit), confidence, units);
+            json["warnings"].insert(json["warnings"].end(), warnings.begin(), warnings.end());
         }
         auto const words = words_on(body, confidence);
         json["verdict"].push_back(
@@ -61,16 +52,16 @@ Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::span<
     return json;
 }
 
-std::vector<Table> json_tables(FitExtras const& of) {
-    auto const& [answered, few, telling, by_hand, pairs, hazard] = of;
+std::vector<Table> json_tables(Printed const& of) {
+    auto const& answered = of.answered;
     auto const& spec = answered.spec;
-    std::vector<Table> tables{answer_table(answered), records_table(spec, few), telling_trial_table(spec, telling),
-                              hand_check_table(spec, by_hand)};
-    if (!pairs.empty()) {
-        tables.push_back(two_measure_table(pairs, answered.confidence));
+    std::vector<Table> tables{answer_table(answered), records_table(spec, of.few),
+                              telling_trial_table(spec, of.telling), hand_check_table(spec, of.by_hand)};
+    if (!of.pairs.empty()) {
+        tables.push_back(two_measure_table(of.pairs, answered.confidence));
     }
-    if (hazard != nullptr) {
-        std::ranges::move(frequency_tables(spec.levels.units(), answered.frequencies, *hazard, answered.confidence),
+    if (of.hazard != nullptr) {
+        std::ranges::move(frequency_tables(spec.levels.units(), answered.frequencies, *of.hazard, answered.confidence),
                           std::back_inserter(tables));
     }
     return tables;

@@ -4,16 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "campaign/rows.hpp"
-#include "output/answer.hpp"
 #include "output/json.hpp"
+#include "output/sections.hpp"
 #include "output/table.hpp"
 #include "results/analysis.hpp"
-#include "results/hand_check.hpp"
 #include "results/statistics.hpp"
-#include "results/telling_trials.hpp"
-#include "results/together.hpp"
-#include "stats/hazard.hpp"
 
 namespace overturn::output {
 
@@ -29,18 +24,9 @@ enum class WarningUnits { si, as_written };
                             std::span<BodyAnalysis const> analysis, double confidence,
                             WarningUnits units = WarningUnits::si);
 
-/// Results of `fit` beside those of campaign_tables; all outlive it.
-struct FitExtras {
-    Answered answered;
-    std::span<TrialRow const> few = {};  ///< trials_of_few_waves
-    std::span<TellingTrial const> telling = {};
-    std::span<HandCheck const> by_hand = {};
-    std::span<TwoMeasures const> pairs = {};  ///< none: no such table
-    HazardCurve const* hazard = nullptr;      ///< null: no tables of frequencies
-};
 /// Tables of `fit --json` that are in no file.
-[[nodiscard]] std::vector<Table> json_tables(FitExtras const& of);
-/// The same of a campaign without results, all of them: their columns and no rows.
+[[nodiscard]] std::vector<Table> json_tables(Printed const& of);
+/// The same of a campaign without results, and those of tables and stated curves: their columns.
 [[nodiscard]] std::vector<Table> empty_json_tables(CampaignSpec const& spec);
 
 }  // namespace overturn::output

@@ -122,8 +122,8 @@ constexpr std::array sections{
                 return frequency_text(p.answered.frequencies, *p.hazard, p.answered.confidence);
             },
             "no hazard curve: state one with --hazard CURVE.csv, or in the campaign"},
-    Section{"rare", [](Printed const& p) { return !p.rare.empty(); }, always,
-            [](Printed const& p, TextOptions const&) { return rare_text(p.answered.spec, p.rare); },
+    Section{"rare", [](Printed const& p) { return !p.answered.rare.empty(); }, always,
+            [](Printed const& p, TextOptions const&) { return rare_text(p.answered.spec, p.answered.rare); },
             "no estimate of rare events: the campaign has no [rare]"},
     Section{"trials", always, never_unasked,
             [](Printed const& p, TextOptions const&) { return telling_text(p.answered.spec, p.telling, p.file); }}};

@@ -10,7 +10,6 @@
 #include "campaign/rows.hpp"
 #include "output/answer.hpp"
 #include "results/hand_check.hpp"
-#include "results/rare_results.hpp"
 #include "results/telling_trials.hpp"
 #include "results/together.hpp"
 
@@ -33,17 +32,16 @@ struct TextOptions {
 /// \throws InputError for a name that is no section's
 [[nodiscard]] std::vector<std::string> read_sections(std::string const& text);
 
-/// Data that can be printed; all outlive it.
+/// Data that can be printed, as text or JSON; all outlive it.
 struct Printed {
     Answered answered;
-    std::span<TrialRow const> few = {};  ///< trials_of_few_waves
-    std::span<RareBody const> rare = {};
+    std::span<TrialRow const> few = {};          ///< trials_of_few_waves
     std::span<TellingTrial const> telling = {};  ///< where "trials" is wanted
     std::span<HandCheck const> by_hand = {};     ///< where "hand" is wanted
-    std::span<TwoMeasures const> pairs = {};
-    HazardCurve const* hazard = nullptr;
-    std::string notes = {};  ///< further lines below the answer
-    std::string file = {};   ///< the results file, as the user names it
+    std::span<TwoMeasures const> pairs = {};     ///< none: not asked for
+    HazardCurve const* hazard = nullptr;         ///< null: no annual frequencies
+    std::string notes = {};                      ///< further lines below the answer
+    std::string file = {};                       ///< the results file, as the user names it
 };
 
 /// The answer, its remarks, and the requested sections.

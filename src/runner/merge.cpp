@@ -118,15 +118,13 @@ std::string tables_of(BlocksToMerge const& what, Statistics const& statistics, s
     auto const hazard = stated_hazard(what.input, spec.levels);
     auto const frequencies =
         hazard ? frequencies_of(spec, statistics, analysis, *hazard, spec.confidence) : std::vector<BodyFrequency>{};
-    output::Answered const answered{.spec = spec,
-                                    .statistics = statistics,
-                                    .analysis = analysis,
-                                    .confidence = spec.confidence,
-                                    .frequencies = frequencies,
-                                    .rare = rare};
-    return output::results_text({.answered = answered,
+    return output::results_text({.answered = {.spec = spec,
+                                              .statistics = statistics,
+                                              .analysis = analysis,
+                                              .confidence = spec.confidence,
+                                              .frequencies = frequencies,
+                                              .rare = rare},
                                  .few = few,
-                                 .rare = rare,
                                  .telling = telling,
                                  .hazard = hazard ? &*hazard : nullptr,
                                  .file = what.output.string()},
