@@ -5,6 +5,7 @@
 
 #include "output/curve_tables.hpp"
 #include "output/detail/acceptance_tables.hpp"
+#include "output/detail/body_table.hpp"
 #include "output/stripe_tables.hpp"
 #include "output/summary_tables.hpp"
 #include "results/few_waves.hpp"
@@ -35,7 +36,11 @@ void add_body(std::vector<Table>& all, CampaignSpec const& spec, std::size_t b, 
 
 std::vector<Table> campaign_tables(CampaignSpec const& spec, Statistics const& statistics,
                                    std::span<BodyAnalysis const> analysis, double confidence) {
-    std::vector<Table> all{limit_table(spec), sigma_table(statistics.achieved_sigma())};
+    std::vector<Table> all;
+    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
+        all.push_back(body_table(spec, b));
+    }
+    append(all, {limit_table(spec), sigma_table(statistics.achieved_sigma())});
     append(all, acceptance_tables(spec, statistics, confidence));
     auto const& counted = statistics.bodies();
     bool const sample = !no_sample(spec, statistics.waves().waves);

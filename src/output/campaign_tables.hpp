@@ -11,8 +11,8 @@
 
 namespace overturn::output {
 
-/// Stripes, models, curves, criterion, quantiles or grid, responses, bodies together, limit states, sigma: those of
-/// overturning first. \param analysis of these statistics, at this confidence
+/// Bodies, stripes, models, curves, criterion, quantiles or grid, responses, bodies together, limit states, sigma:
+/// those of overturning first. \param analysis of these statistics, at this confidence
 [[nodiscard]] std::vector<Table> campaign_tables(CampaignSpec const& spec, Statistics const& statistics,
                                                  std::span<BodyAnalysis const> analysis, double confidence);
 /// Tables of rare events, for all bodies and limit states.

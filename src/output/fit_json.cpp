@@ -5,7 +5,6 @@
 
 #include "campaign/cautions.hpp"
 #include "output/campaign_tables.hpp"
-#include "output/detail/body_table.hpp"
 #include "output/detail/criterion_words.hpp"
 #include "output/detail/fit_words.hpp"
 #include "output/records_table.hpp"
@@ -28,13 +27,7 @@ Json warnings_json(std::string const& body, std::span<MeasuredFragility const> f
 Json fit_json(CampaignSpec const& spec, Statistics const& statistics, std::span<BodyAnalysis const> analysis,
               double confidence, WarningUnits units) {
     Json json{{"variability", spec.source->about().variability}, {"waves_alike", spec.source->about().shared.most}};
-    std::vector<Table> tables;
-    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        tables.push_back(body_table(spec, b));
-    }
-    for (auto& table : campaign_tables(spec, statistics, analysis, confidence)) {
-        tables.push_back(std::move(table));
-    }
+    auto tables = campaign_tables(spec, statistics, analysis, confidence);
     give_typed_units(tables, spec);
     json.update(json_of(tables));
     json["cautions"] = cautions_of(spec);

@@ -11,7 +11,6 @@
 #include "campaign/version.hpp"
 #include "campaign/withheld_inputs.hpp"
 #include "output/campaign_tables.hpp"
-#include "output/detail/body_table.hpp"
 #include "output/results_tables.hpp"
 #include "results/rare_results.hpp"
 #include "results/schema.hpp"
@@ -155,9 +154,6 @@ std::vector<BodyAnalysis> write_results(std::filesystem::path const& path, Campa
         file.attribute("precise_enough", std::int64_t{chosen.chosen_per_group() < drawn.count() ? 1 : 0});
     }
     auto analysis = analyse(spec, statistics, {.confidence = spec.confidence}, help.curves);
-    for (std::size_t b = 0; b < spec.bodies.size(); ++b) {
-        output::write_table(file, output::body_table(spec, b));
-    }
     output::write_tables(file, output::campaign_tables(spec, statistics, analysis, spec.confidence));
     output::write_tables(file, output::rare_tables(spec, rare));
     write_rare_record(file, spec, rare);
