@@ -8,6 +8,8 @@
 #include "output/detail/criterion_words.hpp"
 #include "output/detail/fit_words.hpp"
 #include "output/records_table.hpp"
+#include "output/stated_curve.hpp"
+#include "output/stripe_tables.hpp"
 #include "output/summary_tables.hpp"
 #include "output/typed_columns.hpp"
 
@@ -65,6 +67,8 @@ std::vector<Table> empty_json_tables(CampaignSpec const& spec) {
     HazardCurve const hazard({{1, 1}, {2, 0.5}});
     auto tables = json_tables({.answered = {.spec = spec, .statistics = none, .analysis = {}}, .hazard = &hazard});
     tables.push_back(two_measure_table({}, spec.confidence));
+    tables.push_back(capacities_table({}, ""));
+    tables.push_back(stated_curve_table({}));
     return tables;
 }
 

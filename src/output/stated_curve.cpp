@@ -40,7 +40,7 @@ std::string text_of(StatedCurve const& curve) {
     return text;
 }
 
-Json json_of(StatedCurve const& curve) {
+Table stated_curve_table(StatedCurve const& curve) {
     using Row = StatedCurve;
     auto const unit = stated_unit(curve.unit.symbol);
     TableOf<Row> table({.name = "stated_curve", .constants = {{"units", curve.unit.symbol}}}, std::span(&curve, 1));
@@ -57,7 +57,11 @@ Json json_of(StatedCurve const& curve) {
             auto const hclpf = c.hclpf();
             return hclpf ? std::optional(c.unit.of(*hclpf)) : std::nullopt;
         });
-    auto json = json_of(table.take()).front();
+    return table.take();
+}
+
+Json json_of(StatedCurve const& curve) {
+    auto json = json_of(stated_curve_table(curve)).front();
     json["warnings"] = warnings_of(curve);
     return json;
 }

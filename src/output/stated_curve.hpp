@@ -35,6 +35,9 @@ struct StatedCurve {
 
 /// "stated curve (no trials): median 0.9 g, ..."
 [[nodiscard]] std::string text_of(StatedCurve const& curve);
+/// `stated_curve`: its points, in its unit.
+[[nodiscard]] Table stated_curve_table(StatedCurve const& curve);
+/// The row of that table, and `warnings`.
 [[nodiscard]] Json json_of(StatedCurve const& curve);
 
 }  // namespace overturn::output
