@@ -75,7 +75,7 @@ std::vector<CheckRecord> read_check_records(std::span<std::string const> files) 
 void add_checks(std::span<CheckRecord const> records, std::string const& path, store::ResultsReader const& file,
                 Json& data) {
     auto const maker = output::maker_of(file);
-    data["checks"] = Json::array();
+    std::vector<output::CheckRow> rows;
     data["sensitivity"] = nullptr;
     for (auto const kind : kinds) {
         auto const record = std::ranges::find(records, kind, &CheckRecord::kind);
@@ -83,14 +83,13 @@ void add_checks(std::span<CheckRecord const> records, std::string const& path, s
         if (there) {
             require_of_file(*record, path, file);
         }
-        auto const row = there ? row_of(*record, maker)
-                               : output::missing_check(kind, std::filesystem::path(path).filename().string());
-        data["checks"].push_back(
-            {{"check", row.check}, {"result", row.result}, {"record", row.record}, {"failed", row.failed}});
+        rows.push_back(there ? row_of(*record, maker)
+                             : output::missing_check(kind, std::filesystem::path(path).filename().string()));
         if (there && kind == RecordKind::sensitivity) {
             data["sensitivity"] = record->content;
         }
     }
+    data["checks"] = output::json_of(output::check_table(rows));
 }
 
 std::optional<output::NumericalError> numerical_error_of(std::span<CheckRecord const> records) {

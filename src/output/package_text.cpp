@@ -16,20 +16,6 @@
 namespace overturn::output {
 namespace {
 
-// What each kind of record compares, and the verb that writes it; in the order of RecordKind.
-struct KnownCheck {
-    char const* check;
-    char const* verb;
-    bool of_file = false;  // of a results file
-};
-constexpr std::array known_checks{KnownCheck{"stored rows against a second computation", "verify", true},
-                                  KnownCheck{"installation against known answers", "qualify"},
-                                  KnownCheck{"program against published results", "qualify --published"},
-                                  KnownCheck{"error of the settings against their cost", "cost CAMPAIGN"},
-                                  KnownCheck{"effect of each assumed value", "cost CAMPAIGN --sensitivity"}};
-
-std::string named(RecordKind kind) { return known_checks[static_cast<std::size_t>(kind)].check; }
-
 // "the body cask", "any of the bodies type-a and type-b"
 std::string bodies_text(CampaignSpec const& spec, char const* of_several) {
     constexpr std::size_t most = 3;
@@ -90,12 +76,12 @@ CheckRow verification(Json const& record, std::string const& maker) {
     result += passed ? ": all bit-equal"
                      : fmt::format(": {} trials and {} waves DIFFER, first {}", count_at(record, "differing_trials"),
                                    count_at(record, "differing_waves"), text_at(record, "first"));
-    return {named(RecordKind::verify), result, circumstances(record, maker), !passed};
+    return {{}, result, circumstances(record, maker), !passed};
 }
 
-CheckRow qualification(RecordKind kind, Json const& record, std::string const& maker) {
-    return {named(kind), record.at("summary").get<std::string>(), circumstances(record, maker),
-            !record.at("passed").get<bool>()};
+CheckRow qualification(Json const& record, std::string const& maker) {
+    return {
+        {}, record.at("summary").get<std::string>(), circumstances(record, maker), !record.at("passed").get<bool>()};
 }
 
 std::string sample_text(Json const& study) {
@@ -103,15 +89,16 @@ std::string sample_text(Json const& study) {
                        count_at(study, "campaign_waves"));
 }
 
-CheckRow convergence(Json const& record) {
+CheckRow convergence(Json const& record, std::string const& /*maker*/) {
     auto const& study = record.at("study").at(0);
-    return {named(RecordKind::cost),
+    return {{},
             fmt::format("half the step changes {} of {} verdicts. {}", count_at(study, "step_flips"),
                         count_at(study, "step_trials"), text_at(study, "sentence")),
-            sample_text(study), false};
+            sample_text(study),
+            false};
 }
 
-CheckRow sensitivity(Json const& record) {
+CheckRow sensitivity(Json const& record, std::string const& /*maker*/) {
     std::string largest;
     double change = 0;
     bool coarse = false;
@@ -148,9 +135,27 @@ CheckRow sensitivity(Json const& record) {
     if (!not_changed.empty()) {
         found.push_back(fmt::format("not changed: {}", fmt::join(not_changed, ", ")));
     }
-    return {named(RecordKind::sensitivity), fmt::format("{}", fmt::join(found, "; ")),
-            sample_text(record.at("study").at(0)), false};
+    return {{}, fmt::format("{}", fmt::join(found, "; ")), sample_text(record.at("study").at(0)), false};
 }
+
+// What each kind of record compares, the verb that writes it, fields by which it is known, and its row without a name;
+// in the order of RecordKind.
+struct KnownCheck {
+    char const* check;
+    char const* verb;
+    std::array<char const*, 2> marks;
+    CheckRow (*row)(Json const& record, std::string const& maker);
+    bool of_file = false;  // of a results file
+};
+constexpr std::array known_checks{
+    KnownCheck{
+        "stored rows against a second computation", "verify", {"differing_trials", "passed"}, &verification, true},
+    KnownCheck{"installation against known answers", "qualify", {"summary", "published"}, &qualification},
+    KnownCheck{"program against published results", "qualify --published", {"summary", "published"}, &qualification},
+    KnownCheck{"error of the settings against their cost", "cost CAMPAIGN", {"knobs", "study"}, &convergence},
+    KnownCheck{"effect of each assumed value", "cost CAMPAIGN --sensitivity", {"unmoved", "study"}, &sensitivity}};
+
+KnownCheck const& known_as(RecordKind kind) { return known_checks.at(static_cast<std::size_t>(kind)); }
 
 }  // namespace
 
@@ -238,44 +243,38 @@ std::vector<std::pair<std::string, std::string>> signatures(CoverText const& cov
 }
 
 RecordKind kind_of_record(Json const& record, std::string const& name) {
-    auto const has = [&](char const* key) { return record.is_object() && record.contains(key); };
-    if (has("differing_trials")) {
-        return RecordKind::verify;
-    }
-    if (has("summary") && has("published")) {
-        return record.at("published").get<bool>() ? RecordKind::published : RecordKind::qualify;
-    }
-    if (has("knobs") && has("study")) {
-        return RecordKind::cost;
-    }
-    if (has("unmoved") && has("study")) {
-        return RecordKind::sensitivity;
-    }
-    throw InputError(
-        fmt::format("{}: no record of a check (of verify, qualify or cost). Write one: overturn verify FILE.h5 --json "
-                    "> RECORD.json",
-                    name));
+    auto const* const found = std::ranges::find_if(known_checks, [&](KnownCheck const& known) {
+        return std::ranges::all_of(known.marks,
+                                   [&](char const* mark) { return record.is_object() && record.contains(mark); });
+    });
+    validate(found != known_checks.end(),
+             "{}: no record of a check (of verify, qualify or cost). Write one: overturn verify FILE.h5 --json > "
+             "RECORD.json",
+             name);
+    auto const kind = static_cast<RecordKind>(found - known_checks.begin());
+    return kind == RecordKind::qualify && record.at("published").get<bool>() ? RecordKind::published : kind;
 }
 
 CheckRow check_row(RecordKind kind, Json const& record, std::string const& maker) {
-    switch (kind) {
-        case RecordKind::verify:
-            return verification(record, maker);
-        case RecordKind::qualify:
-        case RecordKind::published:
-            return qualification(kind, record, maker);
-        case RecordKind::cost:
-            return convergence(record);
-        case RecordKind::sensitivity:
-            break;
-    }
-    return sensitivity(record);
+    auto row = known_as(kind).row(record, maker);
+    row.check = known_as(kind).check;
+    return row;
 }
 
 CheckRow missing_check(RecordKind kind, std::string const& file) {
-    auto const& known = known_checks[static_cast<std::size_t>(kind)];
+    auto const& known = known_as(kind);
     return {known.check, "not run", fmt::format("overturn {}{} --json", known.verb, known.of_file ? " " + file : ""),
             false};
+}
+
+Table check_table(std::span<CheckRow const> rows) {
+    TableOf<CheckRow> table({.name = "checks"}, rows);
+    table.add("check", "1", "what was compared", [](CheckRow const& row) { return row.check; })
+        .add("result", "1", "what was found", [](CheckRow const& row) { return row.result; })
+        .add("record", "1", "program, machine and date of the record; without one the command that writes it",
+             [](CheckRow const& row) { return row.record; })
+        .add("failed", "1", "1: the check failed", [](CheckRow const& row) { return row.failed; });
+    return table.take();
 }
 
 }  // namespace overturn::output

@@ -40,6 +40,8 @@ struct CheckRow {
 
 /// \param maker of the results file, as maker_of() names it: a record of another program says so
 [[nodiscard]] CheckRow check_row(RecordKind kind, Json const& record, std::string const& maker);
+/// `checks` of a report's page.
+[[nodiscard]] Table check_table(std::span<CheckRow const> rows);
 /// Row of a check of which there is no record. \param file the results file
 [[nodiscard]] CheckRow missing_check(RecordKind kind, std::string const& file);
 
