@@ -132,6 +132,17 @@ std::string headline(Answered const& of, std::size_t b, std::size_t limit) {
     return fmt::format("{}: {}.", who, fmt::join(parts, "; "));
 }
 
+// Calls `take` with the body, limit state and measure of each curve, and the curve.
+template <class Take> void each_curve(Answered const& of, Take take) {
+    for (auto const& body : of.analysis) {
+        for (std::size_t limit = 0; limit < of.spec.limits.size(); ++limit) {
+            for (auto const& curve : body.curves_of(limit)) {
+                take(Json{{"body", body.body}, {"limit", curve.limit}, {"measure", curve.name}}, curve);
+            }
+        }
+    }
+}
+
 }  // namespace
 
 std::vector<std::string> headlines(Answered const& of) {
@@ -150,34 +161,22 @@ std::vector<std::string> headlines(Answered const& of) {
 
 Json quote_remarks(Answered const& of) {
     auto list = Json::array();
-    for (auto const& body : of.analysis) {
-        for (std::size_t limit = 0; limit < of.spec.limits.size(); ++limit) {
-            for (auto const& curve : body.curves_of(limit)) {
-                for (auto const& quoted : curve.fit.quotes) {
-                    list.push_back({{"body", body.body},
-                                    {"limit", curve.limit},
-                                    {"measure", curve.name},
-                                    {"text", quote_remark(curve, quoted)}});
-                }
-            }
+    each_curve(of, [&](Json const& place, MeasuredFragility const& curve) {
+        for (auto const& quoted : curve.fit.quotes) {
+            list.push_back(place);
+            list.back()["text"] = quote_remark(curve, quoted);
         }
-    }
+    });
     return list;
 }
 
 Json low_points(Answered const& of) {
     auto list = Json::array();
-    for (auto const& body : of.analysis) {
-        for (std::size_t limit = 0; limit < of.spec.limits.size(); ++limit) {
-            for (auto const& curve : body.curves_of(limit)) {
-                list.push_back({{"body", body.body},
-                                {"limit", curve.limit},
-                                {"measure", curve.name},
-                                {"five_percent_point", five_percent_text(curve)},
-                                {"hclpf", hclpf_text(curve, {.low_point = false, .beta_u = false})}});
-            }
-        }
-    }
+    each_curve(of, [&](Json const& place, MeasuredFragility const& curve) {
+        list.push_back(place);
+        list.back()["five_percent_point"] = five_percent_text(curve);
+        list.back()["hclpf"] = hclpf_text(curve, {.low_point = false, .beta_u = false});
+    });
     return list;
 }
 

@@ -19,41 +19,30 @@ constexpr double longest_s = 20;
 constexpr std::size_t period_count = 300;
 constexpr double default_energy_damping = 0.10;  // what the criterion's source plots
 
-Json target_json(WaveFigure const& figure, std::vector<double> const& periods) {
+// The target where it is defined, of these periods. \param key of its values, as `value` gives them
+Json target_json(TargetSpectrum const& target, std::vector<double> const& periods, char const* key,
+                 double (TargetSpectrum::*value)(double) const) {
     std::vector<double> within;
-    std::vector<double> psa;
-    within.reserve(periods.size());
-    psa.reserve(periods.size());
-    for (double const period : periods) {
-        if (figure.target->defined_at(period)) {
-            within.push_back(period);
-            psa.push_back(figure.target->psa_mps2(period));
-        }
-    }
-    auto bands = Json::array();
-    for (auto const& band : figure.bands) {
-        bands.push_back({{"name", band.name},
-                         {"lower", band.lower},
-                         {"upper", band.upper},
-                         {"from_s", band.from_s},
-                         {"to_s", band.to_s}});
-    }
-    return {{"name", figure.target->name()}, {"period_s", within}, {"psa_mps2", psa}, {"bands", bands}};
-}
-
-// A target of energy velocity stands beside V_E, not beside the response.
-Json energy_target_json(TargetSpectrum const& target, std::vector<double> const& periods) {
-    std::vector<double> within;
-    std::vector<double> v_e;
-    within.reserve(periods.size());
-    v_e.reserve(periods.size());
+    std::vector<double> values;
     for (double const period : periods) {
         if (target.defined_at(period)) {
             within.push_back(period);
-            v_e.push_back(target.psv_mps(period));
+            values.push_back((target.*value)(period));
         }
     }
-    return {{"name", target.name()}, {"period_s", within}, {"v_e_mps", v_e}};
+    return {{"name", target.name()}, {"period_s", within}, {key, values}};
+}
+
+Json bands_json(std::vector<AcceptanceBand> const& bands) {
+    auto list = Json::array();
+    for (auto const& band : bands) {
+        list.push_back({{"name", band.name},
+                        {"lower", band.lower},
+                        {"upper", band.upper},
+                        {"from_s", band.from_s},
+                        {"to_s", band.to_s}});
+    }
+    return list;
 }
 
 Json bodies_json(WaveFigure const& figure) {
@@ -111,10 +100,11 @@ Json wave_data(WaveFigure const& figure) {
                  {"psa_mps2", response_spectrum(*values, step, periods, figure.damping).psa_mps2}});
         }
     }
-    if (energy_target) {
-        data["energy_target"] = energy_target_json(*figure.target, periods);
+    if (energy_target) {  // stands beside V_E, not beside the response
+        data["energy_target"] = target_json(*figure.target, periods, "v_e_mps", &TargetSpectrum::psv_mps);
     } else if (figure.target) {
-        data["target"] = target_json(figure, periods);
+        data["target"] = target_json(*figure.target, periods, "psa_mps2", &TargetSpectrum::psa_mps2);
+        data["target"]["bands"] = bands_json(figure.bands);
     }
     return data;
 }

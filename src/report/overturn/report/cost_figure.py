@@ -101,9 +101,7 @@ def draw_knob(axes, knob):
     axes.set_ylim(*widen(spread.ravel(), 0.08))
     low, high = axes.get_ylim()
     if high / low < 300:
-        axes.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-        axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-        axes.yaxis.set_minor_formatter(NullFormatter())
+        plain_log_axis(axes, "error")
     log_time_axis(axes, f"CPU time per {knob['timed']}")
     axes.set_ylabel("error")
     place_labels(axes, points)

@@ -30,19 +30,18 @@ MOST_ON_A_PAGE = 4  # bodies, a row each
 MOST_COMPARED = 10  # bodies in one picture: more lines are not told apart
 
 
-def curve_points(results, fit):
-    """The fitted curve at amplitudes from half the lowest to 1.6 times the highest that was tried, and which of these lie
-    within the data."""
-    lowest, highest = fit["lowest"], fit["highest"]
-    x = np.geomspace(0.5 * lowest, 1.6 * highest, 240)
-    return results.in_units(x)[0], probit_curve(x, fit["median"], fit["beta"]), (x >= lowest) & (x <= highest), x < lowest, x > highest
+def around(fit):
+    """Amplitudes from half the lowest to 1.6 times the highest that was tried."""
+    return np.geomspace(0.5 * fit["lowest"], 1.6 * fit["highest"], 240)
 
 
 def draw_curve(axes, results, fit, colour=BLUE, line="-", label=None):
     """Solid where there are data and dashed beyond them."""
-    shown, p, inside, below, above = curve_points(results, fit)
+    x = around(fit)
+    shown, p = results.in_units(x)[0], probit_curve(x, fit["median"], fit["beta"])
+    inside = (x >= fit["lowest"]) & (x <= fit["highest"])
     axes.plot(shown[inside], p[inside], color=colour, ls=line, zorder=3, label=label)
-    for outside in (below, above):
+    for outside in (x < fit["lowest"], x > fit["highest"]):
         axes.plot(shown[outside], p[outside], color=colour, ls=(0, (4, 3)), lw=0.9, zorder=3)
 
 
@@ -55,8 +54,7 @@ def draw_band(axes, results, fit, floor):
 def draw_family(axes, results, fit):
     """The curves believed with 5, 50 and 95 % confidence to lie at or right of the true one: beta_R about medians that
     beta_U scatters."""
-    lowest, highest = fit["lowest"], fit["highest"]
-    x = np.geomspace(0.5 * lowest, 1.6 * highest, 240)
+    x = around(fit)
     for median in FAMILY_MEDIANS:
         if fit["beta_r"] > 0:
             axes.plot(results.in_units(x)[0], probit_curve(x, fit[median], fit["beta_r"]), color=PURPLE, lw=0.8,
@@ -80,9 +78,15 @@ def log_floor(stripes, fits):
     return 0.3 / max(trials, default=10)
 
 
+def level_label(results):
+    """The levels' measure with the unit that its axis is in."""
+    unit = results.in_units(1)[1]
+    return MEASURES[results.measure] + (f" [{unit}]" if unit else "")
+
+
 def level_axis(axes, results, stripes, floor):
-    amplitude, unit = results.in_units(numbers(stripes, "amplitude"))
-    axes.set_xlabel(f"{MEASURES[results.measure]}" + (f" [{unit}]" if unit else ""))
+    amplitude, _ = results.in_units(numbers(stripes, "amplitude"))
+    axes.set_xlabel(level_label(results))
     axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
     if floor > 0:
         axes.set_yscale("log")
@@ -166,7 +170,7 @@ def responses(results, rows, limits, path, overturned):
     percentile, at which levels it is a body that overturned: of a rotation it is drawn as such at the top, of a slip not at all."""
     style.use()
     figure, axes = plt.subplots(figsize=(5.2, 2.3), layout="constrained")
-    amplitude, unit = results.in_units(numbers(rows, "amplitude"))
+    amplitude, _ = results.in_units(numbers(rows, "amplitude"))
     for (key, label), colour in zip((("median", "median"), ("p84", "84 %"), ("p95", "95 %")), (BLUE, ORANGE, VERMILION)):
         value, lower, upper = (numbers(rows, key + end) for end in ("", "_lower", "_upper"))
         bars = np.nan_to_num(np.abs(np.array([value - lower, upper - value])))
@@ -180,8 +184,7 @@ def responses(results, rows, limits, path, overturned):
         axes.axhline(limit["threshold"], color=GREY, lw=0.9, ls=("--", "-.", ":")[n % 3], label=style.literal(f"limit {limit['name']}"))
     quantity, units = rows[0]["quantity"], rows[0]["units"]
     label = {"peak_slip": "peak slip", "peak_rotation_ratio": "peak rotation / α"}[quantity]
-    axes.set(xlabel=MEASURES[results.measure] + (f" [{unit}]" if unit else ""),
-             ylabel=label + (f" [{units}]" if units != "1" else ""))
+    axes.set(xlabel=level_label(results), ylabel=label + (f" [{units}]" if units != "1" else ""))
     axes.set_xlim(0, 1.06 * float(np.max(amplitude)))
     beyond = quantity == "peak_rotation_ratio" and any(map(any, overturned.values()))
     axes.set_ylim(0, 1.06 * FELL if beyond else None)

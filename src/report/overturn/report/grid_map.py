@@ -1,7 +1,7 @@
 """What waves on a grid of frequencies did: the map of outcomes over frequency and level, in place of fragility curves."""
 
 from . import style
-from .fragility_figures import MEASURES
+from .fragility_figures import level_label
 from .page_parts import in_pages, paragraphs, table
 from .style import BLUE, GREEN, INK, plain
 from .trial_figures import ENDS
@@ -46,6 +46,14 @@ def distinct(lines):
     return [line for k, line in enumerate(order) if k == 0 or line["frequency_hz"] != order[k - 1]["frequency_hz"]]
 
 
+def frequency_axis(axes, frequency):
+    axes.set_xscale("log")
+    axes.set_xlabel("frequency [Hz]")
+    axes.xaxis.set_major_locator(FixedLocator(frequency[::max(1, -(-len(frequency) // 9))]))
+    axes.xaxis.set_minor_locator(NullLocator())
+    axes.xaxis.set_major_formatter(FuncFormatter(lambda f, _: f"{f:.3g}"))
+
+
 def boundary(axes, across, up, levels, lines, value, **look):
     """The lower edge of the cells of the least level, frequency by frequency; none where no level did it."""
     for k, line in enumerate(lines):
@@ -62,7 +70,7 @@ def draw(results, bodies, lines, path):
     used = {}
     for axes, body in zip(panels[:, 0], bodies):
         mine = distinct([line for line in lines if line["body"] == body.name])
-        levels, unit = results.in_units(body.stripes["amplitude"])
+        levels, _ = results.in_units(body.stripes["amplitude"])
         names = [name for name in known if any(name in ends_of(line) for line in mine)]
         names += sorted({end for line in mine for end in ends_of(line)} - set(known))
         colours = [ENDS.get(name, GREEN) for name in names]
@@ -79,15 +87,11 @@ def draw(results, bodies, lines, path):
         for limit, colour in zip(limits, LIMITS * len(limits)):
             boundary(axes, across, up, levels, mine, shown(f"limit_{limit}"), color=colour, lw=1.8, ls="--")
         boundary(axes, across, up, levels, mine, shown("overturning"), color=INK, lw=2.2)
-        axes.set_xscale("log")
+        frequency_axis(axes, frequency)
         axes.set_xlim(across[0], across[-1])
         axes.set_ylim(up[0], up[-1])
-        axes.xaxis.set_major_locator(FixedLocator(frequency[::max(1, -(-len(frequency) // 9))]))
-        axes.xaxis.set_minor_locator(NullLocator())
-        axes.xaxis.set_major_formatter(FuncFormatter(lambda f, _: f"{f:.3g}"))
         axes.grid(visible=False)
-        axes.set(title=style.literal(body.name), xlabel="frequency [Hz]",
-                 ylabel=MEASURES[results.measure] + (f" [{unit}]" if unit else ""))
+        axes.set(title=style.literal(body.name), ylabel=level_label(results))
     handles = {name: Patch(color=colour) for name, colour in used.items()}
     handles["lifts off from here"] = Line2D([], [], color=BLUE, lw=2.2)
     handles["overturns from here"] = Line2D([], [], color=INK, lw=2.2)
@@ -123,11 +127,8 @@ def steady(results, bodies, lines, path):
             axes.plot(frequency, peaks[:, level], "o", ms=3.4, color=colour)
             name = f"{plain(float(levels[level]), 4)} {unit}".strip()
             handles[name] = Line2D([], [], color=colour, lw=2)
-        axes.set_xscale("log")
-        axes.xaxis.set_major_locator(FixedLocator(frequency[::max(1, -(-len(frequency) // 9))]))
-        axes.xaxis.set_minor_locator(NullLocator())
-        axes.xaxis.set_major_formatter(FuncFormatter(lambda f, _: f"{f:.3g}"))
-        axes.set(title=style.literal(body.name), xlabel="frequency [Hz]", ylabel="rotation / α", ylim=(0, None))
+        frequency_axis(axes, frequency)
+        axes.set(title=style.literal(body.name), ylabel="rotation / α", ylim=(0, None))
     style.legend_below(figure, list(handles.values()), list(handles))
     style.save(figure, path)
     return True

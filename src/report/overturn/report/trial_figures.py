@@ -1,7 +1,7 @@
 """Figures of what the trials did: peak rotation, slip, effects that ran, and the waves' quality."""
 
 from . import style
-from .fragility_figures import MEASURES
+from .fragility_figures import level_label
 from .style import BLUE, GREEN, GREY, INK, ORANGE, PALE, PURPLE, SKY, VERMILION
 
 import matplotlib.pyplot as plt
@@ -98,7 +98,7 @@ def slips(results, body, path):
 def shares(axes, results, body, title, parts):
     """Bars of the shares of each level's trials, stacked: (label, which trials, colour) a part."""
     level, count = body.trials("level"), len(body.stripes["amplitude"])
-    amplitude, unit = results.in_units(body.stripes["amplitude"])
+    amplitude, _ = results.in_units(body.stripes["amplitude"])
     trials = np.maximum(np.bincount(level, minlength=count), 1)
     places, below = np.arange(count), np.zeros(count)
     for label, which, colour in parts:
@@ -108,8 +108,7 @@ def shares(axes, results, body, title, parts):
         below += share
     every = max(1, -(-count // 7))
     axes.set_xticks(places[::every], [f"{value:.4g}" for value in amplitude[::every]])
-    measure = MEASURES[results.measure]
-    axes.set(title=title, ylim=(0, 1), xlabel=f"{measure} [{unit}]" if unit else measure)
+    axes.set(title=title, ylim=(0, 1), xlabel=level_label(results))
     axes.grid(axis="x", visible=False)
 
 
