@@ -20,19 +20,15 @@ Table answer_table(Answered const& of) {
         FragilityFit const* fit;
     };
     std::vector<Row> rows;
-    std::vector<std::string> bodies, limits;
-    for (auto const& limit : of.spec.limits) {
-        limits.push_back(limit.name);
-    }
     for (std::size_t b = 0; b < of.analysis.size() && !of.spec.is_grid(); ++b) {
         auto const& body = of.analysis[b];
-        bodies.push_back(body.body);
         bool const drawn = !of.spec.bodies[b].scattering().empty();
         auto const alpha_rad = drawn ? std::nullopt : std::optional(of.spec.bodies[b].body.alpha_rad());
-        for (std::size_t limit = 0; limit < limits.size(); ++limit) {
+        for (std::size_t limit = 0; limit < of.spec.limits.size(); ++limit) {
             for (auto const l : answer_levels(of.spec.levels)) {
-                rows.push_back({&body, alpha_rad, limits[limit], l, &of.statistics.bodies()[b].stripes_of(limit)[l],
-                                rare_estimate_at(of, b, limit, l), frequency_at(of, body.body, limits[limit]),
+                auto const& name = of.spec.limits[limit].name;
+                rows.push_back({&body, alpha_rad, name, l, &of.statistics.bodies()[b].stripes_of(limit)[l],
+                                rare_estimate_at(of, b, limit, l), frequency_at(of, body.body, name),
                                 &body.curves_of(limit).front().fit});
             }
         }
@@ -64,14 +60,12 @@ Table answer_table(Answered const& of) {
     };
     auto const slip = Unit("m").as(typed_units(of.spec).slip);
     auto const tilt = Unit("rad").as(shown_unit(of.spec, "rad"));
-    table.category("body", "the body", bodies, [](Row const& row) { return row.body->body; })
-        .category("limit", "the limit state", limits, [](Row const& row) { return row.limit; })
+    table.add("body", "1", "the body", [](Row const& row) { return row.body->body; })
+        .add("limit", "1", "the limit state", [](Row const& row) { return row.limit; })
         .add("amplitude", level_unit(of.spec.levels), "value of the level",
              [](Row const& row) { return row.stripe->amplitude; })
-        .category(
-            "purpose", "purpose of the level",
-            {name_of(LevelClass::ordinary), name_of(LevelClass::design_basis), name_of(LevelClass::beyond_design)},
-            [&](Row const& row) { return name_of(of.spec.levels.levels[row.level].purpose); })
+        .add("purpose", "1", "purpose of the level",
+             [&](Row const& row) { return name_of(of.spec.levels.levels[row.level].purpose); })
         .add("trials", "1", "trials there", [](Row const& row) { return row.stripe->trials; })
         .add("exceeded", "1", "trials of these that overturned, or exceeded the limit",
              [](Row const& row) { return row.stripe->overturned; })

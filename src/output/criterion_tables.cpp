@@ -1,24 +1,8 @@
-#include <algorithm>
-#include <iterator>
-
+#include "output/detail/confusion_columns.hpp"
 #include "output/detail/ratio_columns.hpp"
 #include "output/summary_tables.hpp"
 
 namespace overturn::output {
-namespace {
-
-std::vector<std::string> measure_names(std::span<MeasuredCriterion const> rows) {
-    std::vector<std::string> names;
-    for (auto const& row : rows) {
-        if (std::ranges::find(names, row.measure->name) == names.end()) {
-            names.emplace_back(row.measure->name);
-        }
-    }
-    return names;
-}
-
-}  // namespace
-
 Table criterion_table(std::string const& body, std::span<MeasuredCriterion const> rows, double confidence) {
     using Row = MeasuredCriterion;
     TableOf<Row> table({.name = "criterion",
@@ -27,19 +11,13 @@ Table criterion_table(std::string const& body, std::span<MeasuredCriterion const
                         .constants = {{"body", body}, {"confidence", confidence}}},
                        rows);
     table
-        .category("measure", "the criterion predicts safe where this measure is below V_Ereq", measure_names(rows),
+        .category("measure", "the criterion predicts safe where this measure is below V_Ereq",
                   [](Row const& row) { return std::string(row.measure->name); })
         .add("title", "1", "the measure as a figure's axis names it",
              [](Row const& row) { return std::string(in_any_unit(row.measure)->title); })
         .category("radius_unit", "unit in which R enters T0 and T1", {"cm", "m"},
                   [](Row const& row) { return std::string(name_of(row.radius_unit)); });
-    auto const count = [](std::int64_t Confusion::*member) {
-        return [member](Row const& row) { return row.study.counts.*member; };
-    };
-    table.add("false_safe", "1", "predicted safe, overturned", count(&Confusion::false_safe))
-        .add("false_alarm", "1", "predicted unsafe, did not overturn", count(&Confusion::false_alarm))
-        .add("true_safe", "1", "predicted safe, did not overturn", count(&Confusion::true_safe))
-        .add("true_overturn", "1", "predicted unsafe, overturned", count(&Confusion::true_overturn));
+    add_confusion(table, [](Row const& row) -> Confusion const& { return row.study.counts; });
     auto const share = [](Share CriterionStudy::*member) {
         return [member](Row const& row) -> Share const& { return row.study.*member; };
     };

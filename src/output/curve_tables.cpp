@@ -39,14 +39,6 @@ std::vector<std::string> unit_names(std::span<Curve const> fits) {
     return units;
 }
 
-std::vector<std::string> state_names(Passing passing) {
-    std::vector<std::string> names;
-    for (std::int64_t s = 0; s <= static_cast<std::int64_t>(FragilityState::few_waves); ++s) {
-        names.push_back(name_of(static_cast<FragilityState>(s), passing));
-    }
-    return names;
-}
-
 // What the rows of a table of one measure each begin with.
 template <class Row> void add_measure(TableOf<Row>& table, std::span<Curve const> fits, auto curve_of) {
     table
@@ -125,19 +117,15 @@ struct Drawn {
 
 Table drawn_table(CurvesOf const& of, std::span<Curve const> fits) {
     std::vector<Drawn> rows;
-    std::vector<std::string> quantities;
     for (auto const& fit : fits) {
         for (std::size_t k = 0; fit.split && k < fit.split->per_score.size(); ++k) {
             rows.push_back({&fit, k});
-            if (std::ranges::find(quantities, fit.drawn.at(k)) == quantities.end()) {
-                quantities.push_back(fit.drawn.at(k));
-            }
         }
     }
     TableOf<Drawn> table(begin("drawn", of), rows);
     add_measure(table, fits, [](Drawn const& row) -> Curve const& { return *row.curve; });
     table
-        .category("quantity", "drawn property of the body", quantities,
+        .category("quantity", "drawn property of the body",
                   [](Drawn const& row) { return row.curve->drawn.at(row.place); })
         .add("log_median_per_deviation", "1", "change of ln median with one standard deviation of the quantity",
              [](Drawn const& row) { return row.curve->split->per_score.at(row.place); })
@@ -159,7 +147,7 @@ Table curve_table(CurvesOf const& of, std::span<MeasuredFragility const> fits) {
         .add("depends_on_levels", "1",
              "1: the curve depends on the levels that were run, and on the number of waves at each",
              [](Curve const& curve) { return !curve.of_levels; })
-        .category("state", "state of the fit", state_names(passing),
+        .category("state", "state of the fit", names_of_states(passing),
                   [](Curve const& curve) { return name_of(curve.fit.state, curve.fit.passing); });
     add_trial_columns(table, passing);
     add_curve_columns(table);

@@ -34,45 +34,46 @@ Table part_table(std::string const& units, std::span<BodyFrequency const> freque
     return table.take();
 }
 
-Table replicate_table(std::string const& group, std::vector<std::pair<std::string, Cell>> const& constants,
-                      RareBody const& body) {
-    struct Row {
-        std::size_t level, replicate;
-        double estimate;
-    };
-    std::vector<Row> rows;
+using Constants = std::vector<std::pair<std::string, Cell>>;
+
+// An item of a list that each level has.
+template <class Item> struct OfLevel {
+    std::size_t level, place;
+    Item const* item;
+};
+
+template <class Item>
+std::vector<OfLevel<Item>> of_levels(RareBody const& body, std::vector<Item> rare::Estimate::*list) {
+    std::vector<OfLevel<Item>> rows;
     for (std::size_t l = 0; l < body.estimates.size(); ++l) {
-        auto const& replicates = body.estimates[l].replicates;
-        for (std::size_t r = 0; r < replicates.size(); ++r) {
-            rows.push_back({l, r, replicates[r]});
+        auto const& items = body.estimates[l].*list;
+        for (std::size_t i = 0; i < items.size(); ++i) {
+            rows.push_back({l, i, &items[i]});
         }
     }
+    return rows;
+}
+
+Table replicate_table(std::string const& group, Constants const& constants, RareBody const& body) {
+    using Row = OfLevel<double>;
+    auto const rows = of_levels(body, &rare::Estimate::replicates);
     TableOf<Row> table({.name = "rare_replicates", .group = group, .constants = constants}, rows);
     table.add("level", "1", "number of the level, rising from 0", [](Row const& row) { return row.level; })
-        .add("replicate", "1", "independent repetition", [](Row const& row) { return row.replicate; })
+        .add("replicate", "1", "independent repetition", [](Row const& row) { return row.place; })
         .add("estimate", "1", "estimate of P; not valid if a check of the estimate failed",
-             [](Row const& row) { return row.estimate; });
+             [](Row const& row) { return *row.item; });
     return table.take();
 }
 
-Table health_table(std::string const& group, std::vector<std::pair<std::string, Cell>> const& constants,
-                   RareBody const& body) {
-    struct Row {
-        std::size_t level;
-        rare::HealthCheck const* check;
-    };
-    std::vector<Row> rows;
-    for (std::size_t l = 0; l < body.estimates.size(); ++l) {
-        for (auto const& check : body.estimates[l].health) {
-            rows.push_back({l, &check});
-        }
-    }
+Table health_table(std::string const& group, Constants const& constants, RareBody const& body) {
+    using Row = OfLevel<rare::HealthCheck>;
+    auto const rows = of_levels(body, &rare::Estimate::health);
     TableOf<Row> table({.name = "rare_health", .group = group, .constants = constants}, rows);
     table.add("level", "1", "number of the level, rising from 0", [](Row const& row) { return row.level; })
-        .add("check", "1", "what was checked", [](Row const& row) { return row.check->name; })
-        .add("value", "1", "what was found", [](Row const& row) { return row.check->value; })
-        .add("limit_value", "1", "threshold of the check", [](Row const& row) { return row.check->limit; })
-        .add("passed", "1", "1: check passed", [](Row const& row) { return row.check->passed; });
+        .add("check", "1", "what was checked", [](Row const& row) { return row.item->name; })
+        .add("value", "1", "what was found", [](Row const& row) { return row.item->value; })
+        .add("limit_value", "1", "threshold of the check", [](Row const& row) { return row.item->limit; })
+        .add("passed", "1", "1: check passed", [](Row const& row) { return row.item->passed; });
     return table.take();
 }
 
@@ -142,7 +143,7 @@ std::vector<Table> rare_tables(CampaignSpec const& spec, RareBody const& body) {
     using Row = rare::Estimate;
     auto const& name = spec.bodies[body.body].name;
     auto const& limit = spec.limits[body.limit].name;
-    std::vector<std::pair<std::string, Cell>> const constants{{"body", name}, {"limit", limit}};
+    Constants const constants{{"body", name}, {"limit", limit}};
     TableOf<Row> table(
         {.name = "rare", .group = group_of("rare", name, limit), .axis = "amplitude", .constants = constants},
         body.estimates);

@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 
 #include "output/curve_tables.hpp"
-#include "output/detail/verdict_names.hpp"
+#include "output/detail/confusion_columns.hpp"
 #include "response/registry.hpp"
 #include "results/schema.hpp"
 
@@ -92,6 +92,15 @@ void add_ends(TableOf<AtLevel>& table, CampaignSpec const& spec, BodyStatistics 
     }
 }
 
+// In the order of verdicts().
+std::vector<std::string> verdict_names() {
+    std::vector<std::string> names;
+    for (auto const& entry : verdicts()) {
+        names.emplace_back(entry.name);
+    }
+    return names;
+}
+
 }  // namespace
 
 Table stripe_table(CampaignSpec const& spec, BodyStatistics const& body, std::size_t limit, double confidence,
@@ -154,15 +163,12 @@ Table criterion_level_table(CampaignSpec const& spec, BodyStatistics const& body
                             .constants = {{"body", body.body}, {"measure", measure}, {"units", spec.levels.units()}}},
                            rows);
     add_level(table, spec.levels.units());
-    auto const of = [&cells](std::int64_t Confusion::*member) {
-        return [&cells, member](AtLevel const& row) { return cells[row.level].*member; };
-    };
-    table.add("false_safe", "1", "predicted safe, overturned", of(&Confusion::false_safe))
-        .add("false_alarm", "1", "predicted unsafe, did not overturn", of(&Confusion::false_alarm))
-        .add("true_safe", "1", "predicted safe, did not overturn", of(&Confusion::true_safe))
-        .add("true_overturn", "1", "predicted unsafe, overturned", of(&Confusion::true_overturn))
-        .add("undecided_safe", "1", "predicted safe, no verdict", of(&Confusion::undecided_safe))
-        .add("undecided_unsafe", "1", "predicted unsafe, no verdict", of(&Confusion::undecided_unsafe));
+    add_confusion(table, [&cells](AtLevel const& row) -> Confusion const& { return cells[row.level]; });
+    table
+        .add("undecided_safe", "1", "predicted safe, no verdict",
+             [&cells](AtLevel const& row) { return cells[row.level].undecided_safe; })
+        .add("undecided_unsafe", "1", "predicted unsafe, no verdict",
+             [&cells](AtLevel const& row) { return cells[row.level].undecided_unsafe; });
     return table.take();
 }
 

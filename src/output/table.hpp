@@ -2,6 +2,7 @@
 /// file, JSON and csv are written from these tables alone, so that one thing has one name everywhere.
 #pragma once
 
+#include <algorithm>
 #include <concepts>
 #include <cstdint>
 #include <optional>
@@ -110,6 +111,16 @@ template <class Row> class TableOf {
     TableOf& category(std::string name, std::string meaning, std::vector<std::string> names, Get get) {
         put({std::move(name), "1", std::move(meaning), Kind::category, std::move(names)}, get);
         return *this;
+    }
+    /// The same, where `names` are the values of the rows, as they come.
+    template <class Get> TableOf& category(std::string name, std::string meaning, Get get) {
+        std::vector<std::string> names;
+        for (auto const& row : rows_) {
+            if (std::string value = get(row); std::ranges::find(names, value) == names.end()) {
+                names.push_back(std::move(value));
+            }
+        }
+        return category(std::move(name), std::move(meaning), std::move(names), get);
     }
     /// A column of those of `names` that apply.
     template <class Get>

@@ -132,16 +132,15 @@ void add_curve_columns(TableOf<Curve>& table) {
 }
 
 void add_check_columns(TableOf<Curve>& table, Passing passing) {
-    auto const goodness = [](auto get) {
-        return [get](Curve const& curve) {
-            return curve.fit.goodness ? std::optional<double>(get(*curve.fit.goodness)) : std::nullopt;
+    using Fit = FragilityFit;
+    auto const part = [](auto which, auto get) {
+        return [which, get](Curve const& curve) {
+            auto const& all = curve.fit.*which;
+            return all ? std::optional<double>(get(*all)) : std::nullopt;
         };
     };
-    auto const penalised = [](auto get) {
-        return [get](Curve const& curve) {
-            return curve.fit.penalised ? std::optional<double>(get(*curve.fit.penalised)) : std::nullopt;
-        };
-    };
+    auto const goodness = [&](auto get) { return part(&Fit::goodness, get); };
+    auto const penalised = [&](auto get) { return part(&Fit::penalised, get); };
     auto const seen = [](std::optional<SeenBound> FragilityFit::*which) {
         return [which](Curve const& curve) { return curve.fit.*which ? &*(curve.fit.*which) : nullptr; };
     };

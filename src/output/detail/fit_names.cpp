@@ -27,6 +27,11 @@ constexpr std::array<char const*, fragility_flags> flag_names{"no-trials",
                                                               "no-beta-u",
                                                               "five-percent-doubtful"};
 
+// By the values of FragilityState.
+constexpr std::array<char const*, 12> state_names{"fitted",    "no-trials", "nothing-overturned", "all-overturned",
+                                                  "one-level", "separated", "not-rising",         "not-converged",
+                                                  "grid",      "undecided", "few-records",        "few-waves"};
+
 // The same with the words of the limit state: "nothing-overturned", "nothing overturned".
 std::string in_words(std::string text, Passing passing) {
     constexpr std::string_view overturned = "overturned";
@@ -40,33 +45,15 @@ std::string in_words(std::string text, Passing passing) {
 }  // namespace
 
 std::string name_of(FragilityState state, Passing passing) {
-    switch (state) {
-        case FragilityState::fitted:
-            return "fitted";
-        case FragilityState::no_trials:
-            return "no-trials";
-        case FragilityState::none_overturned:
-            return in_words("nothing-overturned", passing);
-        case FragilityState::all_overturned:
-            return in_words("all-overturned", passing);
-        case FragilityState::one_level:
-            return "one-level";
-        case FragilityState::separated:
-            return "separated";
-        case FragilityState::not_rising:
-            return "not-rising";
-        case FragilityState::grid:
-            return "grid";
-        case FragilityState::undecided:
-            return "undecided";
-        case FragilityState::few_records:
-            return "few-records";
-        case FragilityState::few_waves:
-            return "few-waves";
-        case FragilityState::not_converged:
-            break;
+    return in_words(state_names.at(static_cast<std::size_t>(state)), passing);
+}
+
+std::vector<std::string> names_of_states(Passing passing) {
+    std::vector<std::string> names;
+    for (std::string const name : state_names) {
+        names.push_back(in_words(name, passing));
     }
-    return "not-converged";
+    return names;
 }
 
 std::string state_words(FragilityState state, Passing passing) {

@@ -10,6 +10,8 @@ namespace overturn::output {
 
 /// "fitted", "nothing-overturned" ("nothing-exceeded"), ...
 [[nodiscard]] std::string name_of(FragilityState state, Passing passing = Passing::overturned);
+/// All of them.
+[[nodiscard]] std::vector<std::string> names_of_states(Passing passing);
 /// The same for people: "nothing overturned", "levels too far apart".
 [[nodiscard]] std::string state_words(FragilityState state, Passing passing = Passing::overturned);
 /// Names of the flags that are set.
