@@ -117,7 +117,10 @@ StartSeconds start_of_run(double calibration_s) {
 }
 
 ForecastSeconds seconds_of(StartSeconds const& start, ProbedCost const& cost, RareForecast const& rare) {
-    return {.start = start, .wave = cost.counted_wave_s(), .rare = rare.seconds.likely};
+    return {.start = start,
+            .wave = cost.counted_wave_s(),
+            .rare = rare.seconds.likely,
+            .undecided_bodies = cost.undecided_bodies};
 }
 
 // Of this job or as stated; infinite without one. [s]

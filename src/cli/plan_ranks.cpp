@@ -14,25 +14,25 @@ namespace overturn::cli {
 namespace {
 
 // tests/scale/README.md: rows read, counted, written and hashed; of trials held for curves what rank 0 does, and the
-// fits. Each curve takes some time of its own, which grows with its trials up to so many: tests/benchmarks/README.md.
+// fits. Each curve takes some time of its own, which grows with the waves up to so many, and is fitted three times
+// where trials are undecided: tests/benchmarks/README.md.
 constexpr double merged_trial_s = 2.4e-6;
 constexpr double held_trial_s = 0.5e-6;
 constexpr double fitted_trial_s = 2.0e-6;
 constexpr double file_s = 0.08;  // groups and attributes, tables as text
-constexpr double least_curve_s = 0.015;
-constexpr double curve_s = 0.03;
-constexpr double curve_trials = 1000;
+constexpr double least_curve_s = 0.025;
+constexpr double wave_of_curve_s = 2.5e-4;
+constexpr double waves_of_curve = 200;
 // A step of the chains of subset simulation is 1600 trials in blocks of 64: no more ranks find work.
 constexpr std::int64_t most_ranks_of_rare = 25;
 
 // Ranks take whole curves.
-double curves_s(CampaignSpec const& spec, double held, std::int64_t ranks) {
+double curves_s(CampaignSpec const& spec, double waves, double held, double undecided_bodies, std::int64_t ranks) {
     auto const curves = count_curves(spec);
     auto const rounds = (curves + ranks - 1) / ranks;
-    double const of_body = held / static_cast<double>(spec.bodies.size());
     double const each = fitted_trial_s * held / static_cast<double>(curves) + least_curve_s
-                        + curve_s * std::min(1.0, of_body / curve_trials);
-    return static_cast<double>(rounds) * each;
+                        + wave_of_curve_s * std::min(waves_of_curve, waves);
+    return static_cast<double>(rounds) * each * (1 + 2 * undecided_bodies);
 }
 
 std::string short_time(double seconds) {
@@ -57,7 +57,8 @@ RankEstimate estimate_ranks(CampaignSpec const& spec, Plan const& plan, Forecast
     bool const shared = Statistics::add_up(spec) && !spec.rare;
     double const held = std::min(trials, static_cast<double>(most_trials_held));
     estimate.merge_s = file_s + merged_trial_s * trials / (shared ? static_cast<double>(ranks) : 1)
-                       + held_trial_s * held + curves_s(spec, held, ranks);
+                       + held_trial_s * held
+                       + curves_s(spec, static_cast<double>(plan.waves()), held, seconds.undecided_bodies, ranks);
     return estimate;
 }
 

@@ -38,6 +38,7 @@ struct ForecastSeconds {
     StartSeconds start;
     double wave = 0;
     double rare = 0;
+    double undecided_bodies = 0;  ///< share of the bodies whose curves are fitted with undecided trials
 };
 
 [[nodiscard]] RankEstimate estimate_ranks(CampaignSpec const& spec, Plan const& plan, ForecastSeconds const& seconds,

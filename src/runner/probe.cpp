@@ -1,18 +1,20 @@
 #include "runner/probe.hpp"
 
 #include <algorithm>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "core/elapsed.hpp"
+#include "response/registry.hpp"
 
 namespace overturn {
 namespace {
 
 constexpr double probe_s = 1;
-constexpr std::int64_t most_waves = 16;  // matches of some take twice as many iterations as those of others
-constexpr std::size_t waves_of_trials = 4;
-constexpr std::size_t one_level_of = 4;  // levels, of which one is tried first
+constexpr std::int64_t enough_waves = 16;  // matches of some take twice as many iterations as those of others
+constexpr std::int64_t waves_first = 4;    // whose trials are answered
+constexpr std::size_t one_level_of = 4;    // levels, of which one is tried first
 
 // The campaign with one level in four, from the second on: weak ones cost nothing, strong ones end early.
 class ThinnedLevels {
@@ -39,45 +41,61 @@ class ThinnedLevels {
     std::vector<Level> all_;
 };
 
-// Of 16 places every fourth first: those whose trials are answered lie over the whole campaign.
+// Every fourth place first: those whose trials are answered lie over the whole campaign.
 std::int64_t spread(std::int64_t drawn, std::int64_t wanted) {
-    constexpr std::int64_t apart = 4;
-    return wanted == most_waves ? drawn % apart * apart + drawn / apart : drawn;
+    auto const apart = wanted / waves_first;
+    return drawn < apart * waves_first ? drawn % waves_first * apart + drawn / waves_first : drawn;
 }
 
-double timed_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves,
-                    PhaseSeconds& models) {
+double share_of_undecided(CampaignSpec const& spec, TrialRows const& trials) {
+    std::set<std::int64_t> bodies;
+    for (auto const& row : trials.rows) {
+        if (!entry_of(row.verdict).decided) {
+            bodies.insert(row.body);
+        }
+    }
+    return static_cast<double>(bodies.size()) / static_cast<double>(spec.bodies.size());
+}
+
+// Of one wave, where so many are answered at once, as a run does.
+double timed_trials(CampaignSpec const& spec, Plan const& plan, std::span<PreparedWave const> waves, ProbedCost& cost) {
+    auto const together = static_cast<std::size_t>(waves_together(plan));
     TrialRows trials;
-    models = {};
+    cost.models = {};
     auto const begin = Clock::now();
-    append_trials(spec, plan, waves, trials, models);
-    return seconds_since(begin);
+    for (std::size_t next = 0; next < waves.size(); next += together) {
+        auto const some = waves.subspan(next, std::min(together, waves.size() - next));
+        append_trials(spec, plan, some, trials, cost.models);
+    }
+    double const taken_s = seconds_since(begin);
+    cost.undecided_bodies = share_of_undecided(spec, trials);
+    return taken_s / static_cast<double>(waves.size());
 }
 
-// Of one wave.
-double trials_s(CampaignSpec& spec, Plan const& plan, std::span<PreparedWave const> waves, PhaseSeconds& models) {
-    auto const together = static_cast<std::size_t>(std::min<std::int64_t>(std::ssize(waves), waves_together(plan)));
-    auto const first = waves.first(std::min<std::size_t>(2, together));
-    auto const count = static_cast<double>(waves.size());
+double trials_s(CampaignSpec& spec, Plan const& plan, std::span<PreparedWave const> waves, ProbedCost& cost) {
+    auto const together = waves_together(plan);
+    auto const few = static_cast<std::size_t>(std::min({std::ssize(waves), waves_first, together}));
     if (!spec.levels.independent_waves && spec.levels.levels.size() > one_level_of) {
         ThinnedLevels const thinned(spec);
         double const each =
-            timed_trials(spec, Plan(spec), first, models) / thinned.share() / static_cast<double>(first.size());
-        if (each * count > probe_s) {
+            timed_trials(spec, Plan(spec), waves.first(std::min<std::size_t>(2, few)), cost) / thinned.share();
+        if (each * static_cast<double>(few) > probe_s) {
             return each;
         }
     }
-    double const each = timed_trials(spec, plan, waves.first(together), models) / static_cast<double>(together);
-    return each * (count - static_cast<double>(together)) > probe_s || together == waves.size()
-               ? each
-               : timed_trials(spec, plan, waves, models) / count;
+    double const each = timed_trials(spec, plan, waves.first(few), cost);
+    // Lanes are full or not as in a run where its groups are whole.
+    auto const rounds = std::ssize(waves) / together;
+    auto const all = rounds > 0 ? static_cast<std::size_t>(rounds * together) : waves.size();
+    return all == few || each * static_cast<double>(all) > probe_s ? each
+                                                                   : timed_trials(spec, plan, waves.first(all), cost);
 }
 
 }  // namespace
 
 ProbedCost probe(CampaignSpec& spec, Plan const& plan) {
     auto const& acceptance = spec.source->about().acceptance;
-    std::int64_t const wanted = std::min<std::int64_t>(most_waves, plan.asked());
+    auto const wanted = std::min(std::max(enough_waves, waves_together(plan)), plan.asked());
     ProbedCost cost;
     PhaseSeconds phases;
     std::vector<PreparedWave> tried;
@@ -99,8 +117,7 @@ ProbedCost probe(CampaignSpec& spec, Plan const& plan) {
     cost.measures_s = phases.measures / n;
     cost.refused_per_wave = (n - static_cast<double>(tried.size())) / std::max(1.0, static_cast<double>(tried.size()));
     if (!tried.empty()) {
-        auto const some = std::span(tried).first(std::min(tried.size(), waves_of_trials));
-        cost.trials_s = trials_s(spec, plan, some, cost.models);
+        cost.trials_s = trials_s(spec, plan, tried, cost);
     }
     return cost;
 }
