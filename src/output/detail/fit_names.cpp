@@ -50,6 +50,7 @@ std::string name_of(FragilityState state, Passing passing) {
 
 std::vector<std::string> names_of_states(Passing passing) {
     std::vector<std::string> names;
+    names.reserve(state_names.size());
     for (std::string const name : state_names) {
         names.push_back(in_words(name, passing));
     }
