@@ -296,6 +296,12 @@ DrawnBody BodySpec::at_scores(std::span<double const> scores) const {
     return with(*this, values);
 }
 
+bool BodySpec::draws_alpha() const {
+    auto const count = scattering().size();
+    auto const alpha_rad = [&](double score) { return at_scores(std::vector<double>(count, score)).body.alpha_rad(); };
+    return count > 0 && alpha_rad(-1) != alpha_rad(1);
+}
+
 std::vector<std::string> names_of(std::span<BodySpec const> bodies) {
     std::vector<std::string> names;
     std::ranges::transform(bodies, std::back_inserter(names), &BodySpec::name);

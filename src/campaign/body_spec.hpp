@@ -57,6 +57,8 @@ struct BodySpec {
     [[nodiscard]] DrawnBody for_wave(DrawnFor const& wave, std::uint64_t index) const;
     /// The draw that has these standard normal scores: the inverse of `scores`. \pre one for each of scattering()
     [[nodiscard]] DrawnBody at_scores(std::span<double const> scores) const;
+    /// Is alpha another one under each wave?
+    [[nodiscard]] bool draws_alpha() const;
 };
 
 extern config::KeyTable const body_table;    ///< of a body file

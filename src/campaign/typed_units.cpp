@@ -110,11 +110,17 @@ std::optional<IntensityUnit> typed_unit(CampaignSpec const& spec, Dimension dime
                      [&] { return of_keys(spec.inputs, dimension, dimension == Dimension::length ? "site" : ""); },
                      [&] { return of_keys(spec.inputs, dimension, "bodies"); },
                      [&] { return of_target(spec, dimension); },
+                     [&] { return of_keys(spec.inputs, dimension, "waves.target"); },
                      [&] {
                          return dimension == Dimension::velocity
                                     ? velocity_beside(of_keys(spec.inputs, Dimension::length, "bodies"))
                                     : Unit();
                      }});
+}
+
+std::optional<IntensityUnit> unit_of_columns(CampaignSpec const& spec, Dimension dimension) {
+    auto const unit = typed_unit(spec, dimension);
+    return unit && unit->symbol == "ft" ? of_slip(unit) : unit;
 }
 
 TypedUnits typed_units(CampaignSpec const& spec) {

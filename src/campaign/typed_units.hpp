@@ -24,6 +24,9 @@ namespace overturn {
 /// For lengths it is that of distances (limit states and [site]), else that of the bodies.
 [[nodiscard]] std::optional<IntensityUnit> typed_unit(CampaignSpec const& spec, Dimension dimension);
 
+/// The same for columns that stand beside those in SI: inches for feet, so that a slip keeps its digits.
+[[nodiscard]] std::optional<IntensityUnit> unit_of_columns(CampaignSpec const& spec, Dimension dimension);
+
 [[nodiscard]] TypedUnits typed_units(CampaignSpec const& spec);
 /// The same of a body file, from its values.
 [[nodiscard]] TypedUnits typed_units(std::span<config::InputValue const> inputs);

@@ -11,7 +11,7 @@ HistoryFile::HistoryFile(std::string const& path) : file_(open_named(path)) {}
 HistoryFile::HistoryFile(std::string const& path, CampaignSpec const& spec) : HistoryFile(path) {
     for (auto const& [end, dimension] :
          {std::pair{"_m", Dimension::length}, {"_mps", Dimension::velocity}, {"_rad", Dimension::angle}}) {
-        if (auto const unit = typed_unit(spec, dimension); unit && unit->symbol != si_symbol(dimension)) {
+        if (auto const unit = unit_of_columns(spec, dimension); unit && unit->symbol != si_symbol(dimension)) {
             typed_.emplace_back(end, *unit);
         }
     }

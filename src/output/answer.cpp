@@ -64,10 +64,12 @@ class SheetMaker {
             return no_probability_text(of_) + "; each record has its rows below";
         }
         auto const waves = waves_text(of_.statistics.waves(), of_.spec.source->about().acceptance, of_.confidence);
-        return fmt::format("{}; {:g} % intervals{}{}",
-                           waves.empty() ? count_text(of_.statistics.waves().waves, "wave") : waves,
-                           100 * of_.confidence, shows_rare_ ? "; P by [rare] (95 %)" : "",
-                           shows_responses_ ? "; slip, tilt: " + responses_title() : "");
+        return fmt::format(
+            "{}; {:g} % intervals{}{}", waves.empty() ? count_text(of_.statistics.waves().waves, "wave") : waves,
+            100 * of_.confidence, shows_rare_ ? "; P by [rare] (95 %)" : "",
+            shows_responses_
+                ? (shows_rare_ ? "; slip, tilt of these waves alone: " : "; slip, tilt: ") + responses_title()
+                : "");
     }
     [[nodiscard]] std::string responses_title() const {
         std::string const percentiles = shows_open_ ? "median / 95th percentile (<= upper end; open: too few waves)"
@@ -146,6 +148,7 @@ class SheetMaker {
                               "{} more bodies, with lower P, and other rows: --section stripes, responses, curves",
                               bodies - shown.size())
                                                 : left_out_text(std::span(all).subspan(rows.size()));
+        highest_left_out_ = highest_left_out(std::span(all).subspan(rows.size()));
     }
 
     // "P(touches), HCLPF of 2 limit states: --section stripes, curves"
@@ -193,6 +196,39 @@ class SheetMaker {
         auto const named = text_with(probabilities);
         return text_width(named) <= line_width ? named
                                                : text_with({fmt::format("P of {} limit states", probabilities.size())});
+    }
+
+    // Of limit states without a row: " Not in the table: P(slips) <= 0.492 (two, 600 gal), P(tilts) <= 0.317 (one, 600
+    // gal)."
+    [[nodiscard]] std::string highest_left_out(std::span<BodyRow const> rows) const {
+        constexpr std::size_t most = 6;
+        std::vector<std::string> all;
+        for (auto const& row : rows) {
+            if (row.what == What::probability && !too_few_) {
+                all.push_back(fmt::format("P({}) {}", full_name(of_.spec.limits[row.limit], of_.spec.limits),
+                                          highest_text(row.limit)));
+            }
+        }
+        return all.empty() ? std::string() : fmt::format(" Not in the table: {}.", names_text(all, most));
+    }
+
+    // Of a limit state: how high P may be at most, of all bodies and levels in the table. "<= 0.492 (two, 600 gal)"
+    [[nodiscard]] std::string highest_text(std::size_t limit) const {
+        std::string text;
+        double highest = -1;
+        for (std::size_t b = 0; b < of_.analysis.size(); ++b) {
+            for (auto const l : levels_) {
+                auto const* const rare = rare_estimate_at(of_, b, limit, l);
+                auto const& stripe = of_.statistics.bodies()[b].stripes_of(limit)[l];
+                auto const upper = (rare != nullptr ? rare->interval_95 : stripe.interval(of_.confidence)).upper;
+                if (upper > highest) {
+                    highest = upper;
+                    text = fmt::format("<= {:.3g} ({}, {})", rounded_up(upper), of_.analysis[b].body,
+                                       of_.spec.levels.text(of_.spec.levels.levels[l].value));
+                }
+            }
+        }
+        return text;
     }
 
     // Bodies in their order; where they are too many, those with the highest P.
@@ -310,8 +346,8 @@ class SheetMaker {
         add_percentiles(b, fmt::format("slip [{}]", slip.symbol), "peak_slip", slip.si, least_slip_m / slip.si);
     }
     void add_tilt(std::size_t b) {
-        // Where alpha is drawn too, the stored ratio is not of one angle.
-        bool const drawn = !of_.spec.bodies[b].scattering().empty();
+        // Where alpha is drawn, the stored ratio is not of one angle.
+        bool const drawn = of_.spec.bodies[b].draws_alpha();
         auto const alpha = of_.spec.bodies[b].body.alpha_rad();
         add_percentiles(b, drawn ? "tilt / alpha" : "tilt [deg]", "peak_rotation_ratio", drawn ? 1 : pi / 180 / alpha,
                         0.01);
@@ -349,7 +385,7 @@ class SheetMaker {
     [[nodiscard]] std::string dependence() const {
         auto text = fmt::format("Waves: {}. {}.", of_.spec.source->about().variability,
                                 assumed_text(physical_inputs(of_.spec)));
-        text += step_text();
+        text += highest_left_out_ + step_text();
         auto const outside = outside_validated_range(of_.spec, Tested::left_out);
         if (!outside.empty()) {
             text += fmt::format(" Outside the shaking-table tests: {}{}.", outside.front(),
@@ -365,6 +401,7 @@ class SheetMaker {
     bool frequency_behind_ = false;
     bool shows_responses_ = false, shows_ranges_ = false, shows_percentiles_ = false, shows_open_ = false;
     bool shows_rare_ = false;
+    std::string highest_left_out_;
     AnswerSheet sheet_;
 };
 

@@ -22,8 +22,8 @@ Table answer_table(Answered const& of) {
     std::vector<Row> rows;
     for (std::size_t b = 0; b < of.analysis.size() && !of.spec.is_grid(); ++b) {
         auto const& body = of.analysis[b];
-        bool const drawn = !of.spec.bodies[b].scattering().empty();
-        auto const alpha_rad = drawn ? std::nullopt : std::optional(of.spec.bodies[b].body.alpha_rad());
+        auto const alpha_rad =
+            of.spec.bodies[b].draws_alpha() ? std::nullopt : std::optional(of.spec.bodies[b].body.alpha_rad());
         for (std::size_t limit = 0; limit < of.spec.limits.size(); ++limit) {
             for (auto const l : answer_levels(of.spec.levels)) {
                 auto const& name = of.spec.limits[limit].name;
@@ -57,6 +57,22 @@ Table answer_table(Answered const& of) {
             auto const value = ratio(row);
             return value && row.alpha_rad ? std::optional(*value * *row.alpha_rad) : std::nullopt;
         };
+    };
+    auto const overturned_at = [few](Row const& row) {
+        std::vector<std::string> names;
+        auto const* const at = quantiles_at(*row.body, "peak_rotation_ratio", row.level);
+        if (few || at == nullptr || mostly_unknown(*at)) {
+            return names;
+        }
+        auto const& high = at->quantiles.back();
+        for (auto const& [name, value] : {std::pair{"median", std::optional(at->quantiles.front().value)},
+                                          {"p95", std::optional(high.value)},
+                                          {"p95_upper", high.upper}}) {
+            if (value && *value >= at->fallen) {
+                names.emplace_back(name);
+            }
+        }
+        return names;
     };
     auto const slip = Unit("m").as(typed_units(of.spec).slip);
     auto const tilt = Unit("rad").as(shown_unit(of.spec, "rad"));
@@ -101,6 +117,9 @@ Table answer_table(Answered const& of) {
         .add("peak_rotation_p95", tilt, "95th percentile of it", rotation(Of::p95))
         .add("peak_rotation_p95_upper", tilt, "upper end of it; infinite: no limit, or overturned",
              rotation(Of::p95_upper))
+        .names("overturned_at",
+               "those of the medians, 95th percentiles and their upper ends that are of bodies that overturned",
+               {"median", "p95", "p95_upper"}, overturned_at)
         .add("hclpf_lower", level_unit(of.spec.levels),
              "HCLPF of the limit state, the lower end of its interval; NaN: not known",
              [=](Row const& row) -> std::optional<double> {

@@ -127,7 +127,7 @@ std::string fragility_table(std::vector<MeasuredFragility> const& fits, double c
     auto const& first = fits.front().fit;
     std::string text;
     if (end_the_same_way(fits)) {
-        text += fmt::format("  no curve over any measure: {}\n", state_words(first.state, first.passing));
+        text += fmt::format("  no curve over any measure: {}\n", state_words(first));
     } else {
         auto const ends = fmt::format("{:g} % interval", 100 * confidence);
         TextGroup columns{{"fragility"},           {"median"},          {ends},         {"beta"}, {ends},

@@ -43,7 +43,7 @@ std::string curve_words(MeasuredFragility const& curve, double confidence) {
     auto const& fit = curve.fit;
     if (!fit.identifiable()) {
         auto const why = warnings_of(fit, curve.shown_in, confidence);
-        return why.empty() ? "no curve: " + state_words(fit.state, fit.passing) : why.front();
+        return why.empty() ? "no curve: " + state_words(fit) : why.front();
     }
     auto const& ends = fit.intervals().median;
     auto text = fmt::format("half {} at {} ({} to {}), beta {:.2g}", pass_text(fit),

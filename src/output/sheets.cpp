@@ -11,9 +11,14 @@
 
 #include <fmt/format.h>
 
+#include "campaign/assumptions.hpp"
+#include "campaign/campaign_spec.hpp"
+#include "campaign/cautions.hpp"
 #include "campaign/rows.hpp"
+#include "campaign/validated_range.hpp"
 #include "core/error.hpp"
 #include "output/detail/sheet_rows.hpp"
+#include "results/recount.hpp"
 #include "results/schema.hpp"
 #include "results/stated_levels.hpp"
 
@@ -23,6 +28,7 @@ namespace {
 // What people look for first; further columns follow by name.
 constexpr std::array stripes_first{"amplitude", "level",     "purpose",     "trials", "overturned", "exceeded",
                                    "failed",    "undecided", "probability", "lower",  "upper"};
+constexpr std::array rare_first{"amplitude", "probability", "lower", "upper", "state", "method"};
 // Those in the unit of their measure are shown in the unit of the levels too.
 constexpr std::array curves_first{"measure",
                                   "units",
@@ -64,6 +70,10 @@ class Sheets {
     [[nodiscard]] Sheet curves() const {
         return of_bodies("curves", "fragility", "measure", {curves_first.begin(), curves_first.end()});
     }
+    /// Estimates of [rare]; without rows where the campaign asks for none.
+    [[nodiscard]] Sheet rare() const {
+        return of_bodies("rare", "rare", "amplitude", {rare_first.begin(), rare_first.end()});
+    }
 
   private:
     template <class Row> static std::vector<std::string> names_of(char const* axis) {
@@ -77,15 +87,18 @@ class Sheets {
         return found == columns_.end() ? nullptr : &*found;
     }
 
-    // Columns below `group` that are as long as `long_as`, those of `first` in that order before the others.
+    // Columns below `group` that are as long as `long_as`, those of `first` in that order before the others. Tables of
+    // bodies are of no depth: what lies in a group of theirs may be as long by chance.
     [[nodiscard]] SheetPart part_of(std::string const& group, std::string const& long_as,
-                                    std::vector<std::string> const& first) const {
+                                    std::vector<std::string> const& first, bool deep) const {
         SheetPart part;
         auto const* const axis = find(long_as);
         part.rows = axis == nullptr ? 0 : axis->rows;
         std::vector<std::pair<std::size_t, store::ColumnMeaning const*>> found;
         for (auto const& column : columns_) {
-            if (axis != nullptr && column.path.starts_with(group + "/") && column.rows == part.rows) {
+            bool const below = column.path.starts_with(group + "/")
+                               && (deep || column.path.find('/', group.size() + 1) == std::string::npos);
+            if (axis != nullptr && below && column.rows == part.rows) {
                 auto const place = std::ranges::find(first, column.path.substr(group.size() + 1)) - first.begin();
                 found.emplace_back(place, &column);
             }
@@ -132,7 +145,7 @@ class Sheets {
 
     [[nodiscard]] Sheet of_rows(std::string const& group, std::string const& long_as,
                                 std::vector<std::string> const& first) const {
-        return sheet_of(group, file_, {part_of(group, long_as, first)});
+        return sheet_of(group, file_, {part_of(group, long_as, first, true)});
     }
 
     // One part for each limit state and body that has such a table.
@@ -142,7 +155,7 @@ class Sheets {
         for (auto const& limit : limits()) {
             for (auto const& body : file_.categories("trials/body")) {
                 auto const group = group_of(table, body.name, limit);
-                auto part = part_of(group, fmt::format("{}/{}", group, axis), first);
+                auto part = part_of(group, fmt::format("{}/{}", group, axis), first, false);
                 part.sources.insert(part.sources.begin(),
                                     {{.column = {"body", "1", "name of the body"}, .text = body.name},
                                      {.column = {"limit", "1", "name of the limit state"}, .text = limit}});
@@ -180,14 +193,35 @@ Sheet meanings_of(std::vector<Sheet> const& sheets) {
                       std::move(rows));
 }
 
+// What the numbers depend on, as the answer says it; less where the campaign has keys of another program.
+void add_dependence(std::vector<std::vector<std::string>>& rows, store::ResultsReader const& file) {
+    try {
+        auto const spec = parse_campaign(input_of(file));
+        rows.push_back({"confidence", fmt::format("{:g}", spec.confidence)});
+        rows.push_back({"assumed", assumed_text(physical_inputs(spec))});
+        rows.push_back({"validated_range", validated_range_text(spec, spec.bodies.size())});
+        for (auto const& caution : cautions_of(spec)) {
+            rows.push_back({"caution", caution});
+        }
+    } catch (InputError const&) {
+        rows.push_back({"caution", "what is assumed and validated is not known: overturn fit says why"});
+    }
+}
+
 Sheet about(store::ResultsReader const& file) {
     std::vector<std::vector<std::string>> rows;
     for (auto const* const name : {"title", "campaign_name", "content_sha256", "program_version", "git_revision",
                                    "level_measure", "wave_source"}) {
         rows.push_back({name, file.text(name)});
     }
+    for (auto const* const name : {"settings", "variability"}) {  // not in the oldest files
+        if (auto const text = file.attribute_or("/", name, ""); !text.empty()) {
+            rows.push_back({name, text});
+        }
+    }
     rows.push_back({"seed", fmt::format("{}", file.integer("seed"))});
     rows.push_back({"format_version", fmt::format("{}", file.integer("format_version"))});
+    add_dependence(rows, file);
     return text_sheet("about", {{"name", "1", ""}, {"value", "1", ""}}, std::move(rows));
 }
 
@@ -198,6 +232,9 @@ std::vector<Sheet> sheets_of(store::ResultsReader const& file) {
              "results file: not complete (its run did not end). Go on with overturn run --resume");
     Sheets const tables(file);
     std::vector<Sheet> sheets{tables.trials(), tables.waves(), tables.stripes(), tables.curves()};
+    if (auto rare = tables.rare(); rare.rows > 0) {
+        sheets.push_back(std::move(rare));
+    }
     sheets.push_back(meanings_of(sheets));
     sheets.push_back(about(file));
     return sheets;

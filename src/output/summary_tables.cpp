@@ -98,7 +98,8 @@ Table telling_trial_table(CampaignSpec const& spec, std::span<TellingTrial const
         .add("amplitude", level_unit(spec.levels), "value of the level", [](Row const& t) { return t.amplitude; })
         .add("verdict", "1", "how it ended", [](Row const& t) { return std::string(entry_of(t.verdict).name); })
         .add("peak_rotation_ratio", "1", "max |theta| / alpha", [](Row const& t) { return t.peak_rotation_ratio; })
-        .add("peak_slip", Unit("m").as(typed_units(spec).slip), "max |slip| of the base",
+        .add("peak_slip", Unit("m").as(typed_units(spec).slip),
+             "max |slip| of the base; of a body that overturned: until then",
              [](Row const& t) { return t.peak_slip_m; })
         .add("overturned_at", level_unit(spec.levels),
              "of a trial that stood: the lower level at which its wave overturned the body",

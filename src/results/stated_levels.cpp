@@ -26,7 +26,7 @@ std::map<std::string, IntensityUnit> stated_units_of_columns(store::ResultsReade
         for (auto const dimension :
              {Dimension::length, Dimension::mass, Dimension::velocity, Dimension::acceleration, Dimension::angle}) {
             auto const si = std::string(si_symbol(dimension));
-            if (auto const unit = typed_unit(spec, dimension); unit && unit->symbol != si) {
+            if (auto const unit = unit_of_columns(spec, dimension); unit && unit->symbol != si) {
                 units[si] = *unit;
             }
         }

@@ -8,6 +8,8 @@
 #include <map>
 #include <vector>
 
+#include <fmt/format.h>
+
 #include "campaign/block_rows.hpp"
 #include "campaign/body_spec.hpp"
 #include "campaign/plan.hpp"
@@ -77,6 +79,17 @@ TEST(BodyScatter, OfZeroIsTheStatedBody) {
     EXPECT_EQ(one.body.restitution(), other.body.restitution());
     EXPECT_EQ(one.friction->static_coefficient, other.friction->static_coefficient);
     EXPECT_EQ(one.body.mass_kg(), other.body.mass_kg());
+}
+
+// Of what scatters the centre's height alone turns alpha.
+TEST(BodyScatter, AlphaIsDrawnWhereTheCentreIs) {
+    auto const uniform = [](char const* key, std::string const& ends) {
+        return fmt::format("{}={{distribution='uniform',{}}}\n", key, ends);
+    };
+    EXPECT_FALSE(body_of(certain).draws_alpha());
+    EXPECT_FALSE(body_of(block + "centre_height='1 m'\n" + uniform("mass", "low='12 t',high='13 t'")).draws_alpha());
+    EXPECT_FALSE(body_of(certain + uniform("restitution", "low=0.7,high=0.9")).draws_alpha());
+    EXPECT_TRUE(body_of(block + "mass='12 t'\n" + uniform("centre_height", "low='1 m',high='1.1 m'")).draws_alpha());
 }
 
 TEST(BodyScatter, MassKeepsTheRadiusOfGyrationAndFrictionItsRatio) {

@@ -105,6 +105,26 @@ TEST_F(Rare, PulsesAreTheSameOnAnyRanksAndAfterKills) {
 }
 
 // the page shows the tail, the health of the estimators, the pulses and a wave that overturns the body.
+// the tables for others hold the estimates beside the counts, cell by cell those of the file, and what the
+// answer depends on.
+TEST_F(Rare, IsExported) {
+    if (execute(folder, {OVERTURN_PYTHON, "-c", "import h5py, openpyxl"}).code != 0) {
+        GTEST_SKIP() << "no h5py and openpyxl to read with (install python3-h5py, python3-openpyxl)";
+    }
+    folder.write("c.toml", campaign("method='subset'", "measure='factor'\nvalues=[1.25,1.8]")
+                               + "[[limits]]\nname='half'\nquantity='peak_rotation_ratio'\nabove=0.5\n");
+    ASSERT_EQ(overturn(folder, {"run", "c.toml"}).code, 0);
+    auto const ended = overturn(folder, {"export", "c.h5"});
+    ASSERT_EQ(ended.code, 0) << ended.err;
+    auto const compared = execute(folder, {OVERTURN_PYTHON, OVERTURN_COMPARE_TABLES, "c.h5", "c.tables"});
+    EXPECT_EQ(compared.code, 0) << compared.out << compared.err;
+    EXPECT_NE(compared.out.find("rare 4 rows"), std::string::npos) << compared.out;
+    auto const about = folder.read("c.tables/about.csv");
+    for (auto const* name : {"variability,", "confidence,0.95", "assumed,", "validated_range,"}) {
+        EXPECT_NE(about.find(std::string("\n") + name), std::string::npos) << name << about;
+    }
+}
+
 TEST_F(Rare, IsReported) {
     if (execute(folder, {OVERTURN_PYTHON, "-c", "import matplotlib, h5py"}).code != 0) {
         GTEST_SKIP() << "nothing to draw with (install python3-matplotlib python3-h5py)";

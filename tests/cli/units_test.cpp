@@ -108,6 +108,28 @@ void expect_reported(std::string const& table, json const& all, std::string cons
     EXPECT_GT(curves, 0) << all["fragility"].dump(1);
 }
 
+// A slip in feet has no digits left: beside m it is in inches, as in text and JSON, in tables and in histories.
+TEST_F(Units, OfColumnsAreThoseOfTheText) {
+    auto campaign = campaign_in_inches();
+    for (auto at = campaign.find("53.5 in"); at != std::string::npos; at = campaign.find("53.5 in")) {
+        campaign.replace(at, 7, "4.46 ft");
+    }
+    folder.write("target.csv", target_csv);
+    folder.write("f.toml", campaign);
+    auto const run = overturn(folder, {"run", "f.toml"});
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("slip [in]"), std::string::npos) << run.out;
+    ASSERT_EQ(overturn(folder, {"export", "f.h5", "--as", "csv"}).code, 0);
+    auto const trials = folder.read("f.tables/trials.csv");
+    auto const head = trials.substr(0, trials.find('\n'));
+    EXPECT_NE(head.find("peak_slip [m],peak_slip [in]"), std::string::npos) << head;
+    EXPECT_EQ(head.find("[ft]"), std::string::npos) << head;
+    ASSERT_EQ(overturn(folder, {"replay", "f.h5", "--trial", "0", "--history", "h.csv"}).code, 0);
+    auto const history = folder.read("h.csv");
+    EXPECT_NE(history.find("[in]"), std::string::npos) << history.substr(0, 200);
+    EXPECT_EQ(history.find("[ft]"), std::string::npos) << history.substr(0, 200);
+}
+
 TEST_F(Units, CurvesQuotesAndNotesAreInThatOfTheLevels) {
     auto const [table, values] =
         fit("measure='pga'\nvalues=['300 gal','600 gal','800 gal','1200 gal','1500 gal']\ndesign_basis='600 gal'\n");

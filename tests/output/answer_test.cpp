@@ -38,7 +38,9 @@ struct Made {
     std::vector<BodyAnalysis> analysis;
 
     // \param model of results files, that all trials were computed by
-    Made(std::string const& bodies, std::string const& more, std::vector<int> const& overturned, std::int64_t model = 1)
+    // \param limited trials of each level that pass every further limit state
+    Made(std::string const& bodies, std::string const& more, std::vector<int> const& overturned, std::int64_t model = 1,
+         std::int64_t limited = 0)
         : spec(testing::campaign_from(testing::quick_waves + bodies
                                       + testing::levels("values=['300 gal','600 gal','900 gal','1200 gal']\n" + more))),
           statistics(spec) {
@@ -59,6 +61,7 @@ struct Made {
                     trial.verdict = fell ? Verdict::overturned : Verdict::slid;
                     trial.peak_slip_m = 0.001 * static_cast<double>(wave);
                     trial.peak_rotation_ratio = 0.01;
+                    trial.peak_slip_m = limited > 0 ? (wave < limited ? 1 : 0) : trial.peak_slip_m;
                     statistics.add(trial);
                 }
             }
@@ -180,6 +183,49 @@ TEST(Answer, NamesWhatItLeavesOut) {
     EXPECT_EQ(note_of(6, {}), "tilt, HCLPF: --section responses, curves");
     EXPECT_EQ(note_of(6, {"a", "b", "c", "d"}),
               "tilt, HCLPF, P(a), P(b), P(c), P(d), HCLPF of 4 limit states: --section stripes, responses, curves");
+}
+
+// a limit state without a row is not silent: how high its P may be, of all bodies and levels of the table.
+TEST(Answer, StatesTheHighestPOfLimitStatesWithoutARow) {
+    auto const text_of = [](int bodies) {
+        std::string all;
+        for (int b = 0; b < bodies; ++b) {
+            all += body_named("cask " + std::to_string(b));
+        }
+        auto text = Made(all, "design_basis='600 gal'\n" + limits_named({"a"}), {0, 0, 5, 20}, 1, 8).text();
+        std::ranges::replace(text, '\n', ' ');
+        return text;
+    };
+    // 8 of 40 waves pass the limit, and who overturned: 20 at 1200 gal, at most 0.662 (Clopper and Pearson).
+    EXPECT_NE(text_of(3).find("Not in the table: P(a) <= 0.662 (cask 0, 1200 gal)."), std::string::npos) << text_of(3);
+    EXPECT_EQ(text_of(2).find("Not in the table"), std::string::npos) << text_of(2);
+}
+
+// an angle is in degrees unless each wave has an alpha of its own.
+TEST(Answer, TiltIsAnAngleUnlessAlphaIsDrawn) {
+    auto const with = [](std::string const& height, std::string const& more) {
+        return Made(
+                   "[[bodies]]\nname='cask'\nmass='12.6 t'\nbase_width='0.9 m'\ninertia='uniform-block'\ncentre_height="
+                       + height + "\n" + more,
+                   "design_basis='600 gal'\n", {0, 0, 5, 20})
+            .text();
+    };
+    EXPECT_NE(with("'1 m'", "restitution={distribution='uniform',low=0.7,high=0.9}\n").find("tilt [deg]"),
+              std::string::npos);
+    EXPECT_NE(with("{distribution='uniform',low='1 m',high='1.1 m'}", "").find("tilt / alpha"), std::string::npos);
+}
+
+// JSON has no infinity; a percentile that is a body which overturned is named, not left as if it were unknown.
+TEST(Answer, NamesThePercentilesOfBodiesThatOverturned) {
+    Made const made(body_named("cask"), "design_basis='600 gal'\n", {0, 0, 5, 39});
+    auto const rows = output::json_of(
+        output::answer_table({.spec = made.spec, .statistics = made.statistics, .analysis = made.analysis}));
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[0].at("overturned_at"), output::Json::array());
+    EXPECT_FALSE(rows[0].at("peak_slip_p95_m").is_null());
+    EXPECT_EQ(rows[1].at("overturned_at"), (output::Json{"p95", "p95_upper"}));  // 5 of 40
+    EXPECT_TRUE(rows[1].at("peak_slip_p95_m").is_null());
+    EXPECT_EQ(rows[2].at("overturned_at"), (output::Json{"median", "p95", "p95_upper"}));
 }
 
 // columns stand below their levels, and a limit state's name is whole where the line has room.

@@ -30,11 +30,15 @@ TEST(FitWords, BoundsWithoutACurveAreReportedFirst) {
     auto const one = words_of(fit_of(table_of({{2, 100, 0}, {4, 100, 0}, {8, 200, 1}})));
     EXPECT_NE(one.at(0).find("at or above 8 m/s2; P there in [0.000126, 0.0276]"), std::string::npos) << one.at(0);
     EXPECT_EQ(with(one, "only one trial overturned"), 1);
+    EXPECT_TRUE(one.at(0).ends_with("State higher levels")) << "more levels below would tell nothing: " << one.at(0);
+    EXPECT_EQ(output::state_words(fit_of(table_of({{2, 100, 0}, {4, 100, 0}, {8, 200, 1}}))), "levels too low");
     auto const split = words_of(fit_of(table_of({{2, 20, 0}, {4, 20, 0}, {6, 20, 20}, {8, 20, 20}})));
     EXPECT_TRUE(
         split.at(0).ends_with("beta cannot be estimated; half of these trials overturn between 4 and 6 m/s2. "
                               "State more levels there"))
         << "neither a beta nor a median that the penalty makes up: " << split.at(0);
+    EXPECT_EQ(output::state_words(fit_of(table_of({{2, 20, 0}, {4, 20, 0}, {6, 20, 20}, {8, 20, 20}}))),
+              "levels too far apart");
     EXPECT_EQ(words_of(fit_of(table_of({{2, 20, 7}}))).at(0), "one level only: a curve needs two; see its interval");
     EXPECT_EQ(words_of(fit_of({})).at(0), "no trial has a verdict: nothing is known");
     EXPECT_EQ(grid_text(1), "a grid of 1 frequency is no sample: no curve");

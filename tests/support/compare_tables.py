@@ -20,20 +20,26 @@ def text_of(value):
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
-def columns_below(group, rows):
+def columns_below(group, rows, deep):
     """Every column of numbers as long as the table, by the name that it has below its group."""
     found = {}
 
     def visit(name, item):
-        if isinstance(item, h5py.Dataset) and item.shape == (rows,) and item.dtype.kind in "iuf":
+        if isinstance(item, h5py.Dataset) and item.shape == (rows,) and item.dtype.kind in "iufO":
             found[name] = item
 
-    group.visititems(visit)
+    if deep:
+        group.visititems(visit)
+    else:
+        for name, item in group.items():
+            visit(name, item)
     return found
 
 
 def meaning_of(column):
     """What turns a stored value into what a cell holds: a name, or the number."""
+    if column.dtype.kind == "O":
+        return text_of
     names = h5py.check_enum_dtype(column.dtype)
     if names is not None:
         names = {number: name for name, number in names.items()}
@@ -52,7 +58,7 @@ def expected(table):
     if table in ("trials", "waves"):
         groups = [({}, file[table], len(file[table + ("/verdict" if table == "trials" else "/id")]))]
     else:
-        name, axis = {"stripes": ("stripes", "amplitude"), "curves": ("fragility", "measure")}[table]
+        name, axis = {"stripes": ("stripes", "amplitude"), "curves": ("fragility", "measure"), "rare": ("rare", "amplitude")}[table]
         limits = list(file["limits"]) if "limits" in file else []
         groups = []
         for limit in [LIMIT, *(each for each in limits if each != LIMIT)]:
@@ -62,7 +68,7 @@ def expected(table):
                     groups.append(({"body": body, "limit": limit}, file[path], len(file[path][axis])))
     rows = {}
     for constants, group, length in groups:
-        columns = {name: (meaning_of(column), column[...]) for name, column in columns_below(group, length).items()}
+        columns = {name: (meaning_of(column), column[...]) for name, column in columns_below(group, length, table in ("trials", "waves")).items()}
         for row in range(length):
             rows.setdefault(tuple(constants.values()), []).append(
                 {**constants, **{name: meaning(values[row]) for name, (meaning, values) in columns.items()}})
@@ -84,7 +90,7 @@ def check(table, header, rows, digits):
     cells = 0
     for row in rows:
         by_title = dict(zip(names, row))
-        key = tuple(by_title[name, None] for name in ("body", "limit")) if table in ("stripes", "curves") else ()
+        key = tuple(by_title[name, None] for name in ("body", "limit")) if table in ("stripes", "curves", "rare") else ()
         value_of = wanted[key].pop(0)
         for name in value_of:
             assert any(name == each for each, _ in names), f"{table}: no column {name}"
@@ -129,14 +135,15 @@ def of_book(sheet):
 
 try:
     book = openpyxl.load_workbook(f"{folder}/tables.xlsx")
-    assert book.sheetnames == ["trials", "waves", "stripes", "curves", "columns", "about"], book.sheetnames
-    for table in ("trials", "waves", "stripes", "curves"):
+    tables = ["trials", "waves", "stripes", "curves", *(["rare"] if "rare" in file else [])]
+    assert book.sheetnames == [*tables, "columns", "about"], book.sheetnames
+    for table in tables:
         check(table, *of_csv(table), None)
         check(table, *of_book(book[table]), 16)
     for table in ("columns", "about"):
         (header, rows), (book_header, book_rows) = of_csv(table), of_book(book[table])
         assert (header, rows) == (book_header, [[str(cell) for cell in row] for row in book_rows]), table
-    titled = {(table, re.sub(r" \[.*", "", title)) for table in ("trials", "waves", "stripes", "curves")
+    titled = {(table, re.sub(r" \[.*", "", title)) for table in tables
               for title in of_csv(table)[0]}
     assert titled == {(row[0], row[1]) for row in of_csv("columns")[1]}, "columns does not say what each column is"
 except AssertionError as fault:

@@ -82,7 +82,7 @@ std::string percentiles_text(LevelQuantiles const* at, double unit, double least
 std::string five_percent_text(MeasuredFragility const& curve) {
     auto const& fit = curve.fit;
     if (!fit.identifiable()) {
-        return fmt::format("no curve ({})", state_words(fit.state, fit.passing));
+        return fmt::format("no curve ({})", state_words(fit));
     }
     auto const& ends = fit.intervals().five_percent_point;
     return ends.lower > 0 ? least_text(curve, ends, *fit.five_percent_point()) : unlimited_text(fit);
@@ -91,7 +91,7 @@ std::string five_percent_text(MeasuredFragility const& curve) {
 std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words) {
     auto const& fit = curve.fit;
     if (!fit.identifiable()) {
-        return fmt::format("no curve ({})", state_words(fit.state, fit.passing));
+        return fmt::format("no curve ({})", state_words(fit));
     }
     auto const& ends = fit.intervals().hclpf;
     if (ends && ends->lower <= 0) {
@@ -102,9 +102,10 @@ std::string hclpf_text(MeasuredFragility const& curve, HclpfWords words) {
         return words.low_point && five.lower > 0 ? "unknown: needs beta_U; 5 % point " + five_percent_text(curve)
                                                  : std::string("unknown: needs beta_U");
     }
-    auto const stated = words.beta_u && fit.beta_u > fit.beta_u_drawn
+    auto const stated = !words.beta_u ? std::string()
+                        : fit.beta_u > fit.beta_u_drawn
                             ? fmt::format("; by beta_U {:.3g}{}", fit.beta_u, words.beta_u_assumed ? ", assumed" : "")
-                            : std::string();
+                            : fmt::format("; by beta_U {:.3g} of what is drawn", fit.beta_u);
     return (ends ? least_text(curve, *ends, *fit.hclpf()) : withstood_text(curve, *fit.hclpf())) + stated;
 }
 

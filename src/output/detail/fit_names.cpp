@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string_view>
 
 namespace overturn::output {
@@ -57,16 +58,16 @@ std::vector<std::string> names_of_states(Passing passing) {
     return names;
 }
 
-std::string state_words(FragilityState state, Passing passing) {
-    switch (state) {
+std::string state_words(FragilityFit const& fit) {
+    switch (fit.state) {
         case FragilityState::separated:
-            return "levels too far apart";
+            return std::isfinite(fit.isotonic_median.upper) ? "levels too far apart" : "levels too low";
         case FragilityState::not_rising:
             return "P does not rise with the level";
         default:
             break;
     }
-    auto words = name_of(state, passing);
+    auto words = name_of(fit.state, fit.passing);
     std::ranges::replace(words, '-', ' ');
     return words;
 }

@@ -12,8 +12,8 @@ namespace overturn::output {
 [[nodiscard]] std::string name_of(FragilityState state, Passing passing = Passing::overturned);
 /// All of them.
 [[nodiscard]] std::vector<std::string> names_of_states(Passing passing);
-/// The same for people: "nothing overturned", "levels too far apart".
-[[nodiscard]] std::string state_words(FragilityState state, Passing passing = Passing::overturned);
+/// The state for people: "nothing overturned", "levels too far apart".
+[[nodiscard]] std::string state_words(FragilityFit const& fit);
 /// Names of the flags that are set.
 [[nodiscard]] std::vector<std::string> names_of(FragilityFlags flags, Passing passing = Passing::overturned);
 

@@ -63,7 +63,7 @@ std::string separated_text(FragilityFit const& fit, IntensityUnit const& unit) {
     if (fit.bound) {
         text += "; P there in " + interval_text(fit.bound->probability);
     }
-    return text + ". State more levels there";
+    return text + (std::isfinite(fit.isotonic_median.upper) ? ". State more levels there" : ". State higher levels");
 }
 
 void add_state(std::vector<std::string>& texts, FragilityFit const& fit, IntensityUnit const& unit, double confidence) {

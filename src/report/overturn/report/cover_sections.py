@@ -7,9 +7,11 @@ from .page_parts import escape, paragraphs, table
 def identity(report):
     """What the package is of: {what, which}, without what was not stated."""
     about, cover = report.results.about, report.data["cover"]
+    settings = about.get("settings", "")
     rows = [("revision", cover["revision"]), ("date", cover["date"]),
             ("program", f"overturn {about['program_version']} ({about['git_revision']})"),
-            ("campaign", f"{about['campaign_name']}, SHA-256 {about['input_sha256']}"),
+            ("campaign", about["campaign_name"] + (f" with {', '.join(settings.splitlines())}" if settings else "")),
+            ("inputs", f"input_sha256 {about['input_sha256']} (campaign, its files and settings together)"),
             ("results", f"content_sha256 {about['content_sha256']}" if about.get("content_sha256") else "")]
     return "".join(f"<div><dt>{escape(what)}</dt><dd>{escape(which)}</dd></div>" for what, which in rows if which)
 
