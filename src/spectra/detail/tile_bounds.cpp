@@ -17,10 +17,12 @@ namespace overturn::HWY_NAMESPACE {
 
 using TileLanes = simd::HWY_NAMESPACE::SweepDoubles<4>;
 
-OVERTURN_LANES_INLINE double largest(TileLanes x) {
-    std::array<double, TileLanes::count> values;
+using GroundLanes = simd::HWY_NAMESPACE::SweepDoubles<1>;  // few values are left of a tile
+
+OVERTURN_LANES_INLINE double largest(GroundLanes x) {
+    std::array<double, GroundLanes::count> values;
     x.store(values.data());
-    for (std::size_t half = TileLanes::count / 2; half > 0; half /= 2) {
+    for (std::size_t half = GroundLanes::count / 2; half > 0; half /= 2) {
         for (std::size_t i = 0; i < half; ++i) {
             values[i] = std::max(values[i], values[i + half]);
         }
@@ -29,15 +31,15 @@ OVERTURN_LANES_INLINE double largest(TileLanes x) {
 }
 
 void ground_all(std::span<double const> series, TileGround& ground) {
-    static_assert(SweepTiles::samples % TileLanes::count == 0);
+    static_assert(SweepTiles::samples % GroundLanes::count == 0);
     std::size_t first = 1;
     for (; first + SweepTiles::samples <= series.size(); first += SweepTiles::samples) {
-        TileLanes most = abs(TileLanes(series[first - 1]));
-        TileLanes steepest = 0;
-        for (std::size_t n = first; n < first + SweepTiles::samples; n += TileLanes::count) {
-            auto const here = TileLanes::load(&series[n]);
+        GroundLanes most = abs(GroundLanes(series[first - 1]));
+        GroundLanes steepest = 0;
+        for (std::size_t n = first; n < first + SweepTiles::samples; n += GroundLanes::count) {
+            auto const here = GroundLanes::load(&series[n]);
             most = max(most, abs(here));
-            steepest = max(steepest, abs(here - TileLanes::load(&series[n - 1])));
+            steepest = max(steepest, abs(here - GroundLanes::load(&series[n - 1])));
         }
         ground.most.push_back(largest(most));
         ground.steepest.push_back(largest(steepest));
