@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "spectra/detail/close_reading.hpp"
 #include "spectra/detail/free_vibration.hpp"
 #include "spectra/detail/searched_tiles.hpp"
 #include "spectra/detail/tile_bounds.hpp"
@@ -14,7 +16,6 @@
 namespace overturn {
 namespace {
 
-constexpr double bound_error = 1e-9;        // by which a bound may err
 constexpr double least_oscillating = 0.95;  // damping from which C says little
 constexpr int samples_per_period = 24;  // at least; between two of them a sinusoid rises by 0.9 % of its height at most
 
@@ -34,12 +35,6 @@ PeakResponse::ChordError::ChordError(double w, double damping, double dt) {
     imaginary_a0 = imaginary_y * real_a0 - imaginary_v / (w * w * dt);
     imaginary_a1 = imaginary_y * real_a1 + imaginary_v / (w * w * dt);
     scale = w * w * dt * dt / 8;
-}
-
-double PeakResponse::ChordError::operator()(double y, double v, double a0, double a1) const {
-    double const real = y + (real_a0 * a0 + real_a1 * a1);
-    double const imaginary = imaginary_y * y + imaginary_v * v + (imaginary_a0 * a0 + imaginary_a1 * a1);
-    return scale * (std::abs(real) + std::abs(imaginary));
 }
 
 PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping, double time_step_s)
@@ -69,6 +64,10 @@ PeakResponse::PeakResponse(std::vector<double> const& periods_s, double damping,
         OscillatorStep const sample(w, damping, time_step_s);
         oscillators_.push_back({w, steps, sample, OscillatorStep(w, damping, time_step_s / steps),
                                 ChordError(w, form == SweepForm::amplitude ? damping : 0, time_step_s)});
+        if (form != SweepForm::amplitude) {  // there is no bound, or no look between samples
+            constexpr double infinity = std::numeric_limits<double>::infinity();
+            oscillators_.back().chord_error.scale = steps > 1 ? infinity : -infinity;
+        }
         for (std::size_t lane = group.count; lane < simd::sweep_lanes; ++lane) {  // idle lanes repeat the last
             group.swept.set(lane, w, damping, sample, time_step_s);
         }
@@ -109,81 +108,10 @@ PeakResponse::LaneValues PeakResponse::limits(Group const& group, SweepTiles con
     return limit;
 }
 
-void PeakResponse::search_between_samples(Searched const& searched, std::size_t lane, std::size_t tile,
-                                          PeakDisplacement& found) const {
-    auto const& series = searched.series;
-    auto const& o = oscillators_[searched.group->first + lane];
-    std::size_t const first = 1 + tile * SweepTiles::samples;
-    bool const bounded = searched.group->swept.form == SweepForm::amplitude;
-    auto [y, v] = state_before(searched, lane, tile);
-    auto const beats = [&](double value, double time_steps) {
-        if (std::abs(value) > std::abs(found.displacement_m)) {
-            found = {value, time_step_s_ * time_steps};
-        }
-    };
-    for (std::size_t n = first; n < searched.end(first); ++n) {
-        double const a0 = series[n - 1];
-        double const a1 = series[n];
-        double const y1 = o.sample.yy * y + o.sample.yv * v + (o.sample.ya0 * a0 + o.sample.ya1 * a1);
-        double const v1 = o.sample.vy * y + o.sample.vv * v + (o.sample.va0 * a0 + o.sample.va1 * a1);
-        double const height = std::max(std::abs(y), std::abs(y1)) * (1 + bound_error);
-        if (o.steps > 1 && (!bounded || height + o.chord_error(y, v, a0, a1) > std::abs(found.displacement_m))) {
-            double const rise = (a1 - a0) / o.steps;
-            for (int s = 0; s + 1 < o.steps; ++s) {
-                double const from = a0 + rise * s;
-                double const to = a0 + rise * (s + 1);
-                double const next = o.fine.yy * y + o.fine.yv * v + (o.fine.ya0 * from + o.fine.ya1 * to);
-                v = o.fine.vy * y + o.fine.vv * v + (o.fine.va0 * from + o.fine.va1 * to);
-                y = next;
-                beats(y, static_cast<double>(n - 1) + (s + 1.0) / o.steps);
-            }
-        }
-        y = y1;
-        v = v1;
-        beats(y, static_cast<double>(n));
-    }
-}
-
-void PeakResponse::search_samples(Searched const& searched, std::size_t lane, std::size_t tile,
-                                  PeakDisplacement& found) const {
-    auto const& swept = searched.group->swept;
-    double w = searched.state(lane, tile);
-    double d = searched.other(lane, tile);
-    std::size_t const first = 1 + tile * SweepTiles::samples;
-    for (std::size_t n = first; n < searched.end(first); ++n) {
-        double const next = swept.ahead[lane] * d + (swept.behind[lane] * w + searched.series[n]);
-        double const before = w;
-        w += d;
-        d = next;
-        double const y = swept.unit[lane] * (swept.now[lane] * w + (swept.last[lane] * before + d));
-        if (std::abs(y) > std::abs(found.displacement_m)) {
-            found = {y, time_step_s_ * static_cast<double>(n)};
-        }
-    }
-}
-
-// Into the tiles that reach a limit; where only some samples were read, a peak may also lie before the first.
-// What is found raises the limit of a form whose tiles hold heights.
-void PeakResponse::search(Searched const& searched, LaneValues limit, std::span<PeakDisplacement> found) const {
-    bool const strided = searched.group->swept.form == SweepForm::strided;
-    bool const heights = searched.group->swept.form == SweepForm::amplitude;
-    auto const& tiles = *searched.tiles;
-    for (std::size_t b = 0; (b = next_reaching(tiles, b, limit, strided)) < tiles.count(); ++b) {
-        double const* const tile = tiles.at(b);
-        double const* const before = strided && b > 0 ? tiles.at(b - 1) : tile;
-        for (std::size_t lane = 0; lane < searched.group->count; ++lane) {
-            if (std::max(tile[lane], before[lane]) >= limit[lane]) {
-                strided ? search_samples(searched, lane, b, found[lane])
-                        : search_between_samples(searched, lane, b, found[lane]);
-                limit[lane] = heights ? std::max(limit[lane], std::abs(found[lane].displacement_m)) : limit[lane];
-            }
-        }
-    }
-}
-
-void PeakResponse::search_swept(Searched const& searched, TileGround const& ground, SweepTiles& tiles,
+void PeakResponse::search_swept(Searched const& searched, TileGround const& ground,
                                 std::span<PeakDisplacement> found) const {
     auto const& group = *searched.group;
+    auto& tiles = *searched.tiles;
     if (group.swept.form != SweepForm::amplitude) {
         search(searched, limits(group, tiles, ground.peak), found);
         return;
@@ -208,6 +136,7 @@ std::vector<PeakDisplacement> PeakResponse::peaks(std::span<double const> accele
     }
     auto const ground = ground_of_tiles(series);
     std::array<SweepTiles, 2> tiles;
+    CloseReading reading;
     for (std::size_t g = 0; g < groups_.size();) {
         bool const both = g + 1 < groups_.size() && go_side_by_side(groups_[g].swept, groups_[g + 1].swept);
         if (both) {
@@ -217,8 +146,8 @@ std::vector<PeakDisplacement> PeakResponse::peaks(std::span<double const> accele
         }
         for (std::size_t i = 0; i < (both ? 2 : 1); ++i, ++g) {
             auto const found = std::span(peaks).subspan(groups_[g].first, groups_[g].count);
-            Searched const searched{series, &groups_[g], &tiles[i]};
-            search_swept(searched, ground, tiles[i], found);
+            Searched const searched{series, &groups_[g], &tiles[i], &reading};
+            search_swept(searched, ground, found);
             swing_on(searched, found);
         }
     }

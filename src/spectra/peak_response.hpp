@@ -11,6 +11,7 @@
 
 namespace overturn {
 
+struct CloseReading;
 struct TileBound;
 struct TileGround;
 
@@ -39,14 +40,13 @@ class PeakResponse {
     struct ChordError {
         double real_a0, real_a1, imaginary_y, imaginary_v, imaginary_a0, imaginary_a1, scale;
         ChordError(double w, double damping, double dt);
-        [[nodiscard]] double operator()(double y, double v, double a0, double a1) const;
     };
     struct Oscillator {
         double w;
         int steps;               // per sample
         OscillatorStep sample;   // over one sample
         OscillatorStep fine;     // over one of `steps` parts of it
-        ChordError chord_error;  // in the form amplitude
+        ChordError chord_error;  // of infinite scale in other forms: no bound, or none needed
     };
     struct Group {
         std::size_t first, count;  // of the oscillators
@@ -60,14 +60,18 @@ class PeakResponse {
         double y, v;
     };
     [[nodiscard]] State state_before(Searched const& searched, std::size_t lane, std::size_t tile) const;
+    void read_to_end(Searched const& searched) const;
     [[nodiscard]] State state_at_end(Searched const& searched, std::size_t lane) const;
     void swing_on(Searched const& searched, std::span<PeakDisplacement> found) const;
-    void search_swept(Searched const& searched, TileGround const& ground, SweepTiles& tiles,
-                      std::span<PeakDisplacement> found) const;
+    void search_swept(Searched const& searched, TileGround const& ground, std::span<PeakDisplacement> found) const;
     void search(Searched const& searched, LaneValues limit, std::span<PeakDisplacement> found) const;
-    void search_between_samples(Searched const& searched, std::size_t lane, std::size_t tile,
-                                PeakDisplacement& found) const;
-    void search_samples(Searched const& searched, std::size_t lane, std::size_t tile, PeakDisplacement& found) const;
+    void add(Searched const& searched, std::size_t lane, std::size_t tile) const;
+    void add_states(Searched const& searched, std::size_t lane, std::size_t tile, CloseReading& reading) const;
+    static void add_recursion(Searched const& searched, std::size_t lane, std::size_t tile, CloseReading& reading);
+    void read(Searched const& searched, std::span<PeakDisplacement> found) const;
+    void look(Searched const& searched, std::size_t at, PeakDisplacement& found) const;
+    void look_between(Searched const& searched, Oscillator const& o, State state, std::size_t sample,
+                      PeakDisplacement& found) const;
 
     double damping_, time_step_s_;
     std::vector<Oscillator> oscillators_;

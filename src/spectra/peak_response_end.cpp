@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "spectra/detail/close_reading.hpp"
 #include "spectra/detail/free_vibration.hpp"
 #include "spectra/detail/searched_tiles.hpp"
 #include "spectra/peak_response.hpp"
@@ -10,7 +11,7 @@ namespace overturn {
 PeakResponse::State PeakResponse::state_before(Searched const& searched, std::size_t lane, std::size_t tile) const {
     auto const& series = searched.series;
     auto const& o = oscillators_[searched.group->first + lane];
-    std::size_t const first = 1 + tile * SweepTiles::samples;
+    std::size_t const first = Searched::first(tile);
     double const unit = searched.group->swept.unit[lane];
     if (searched.group->swept.form == SweepForm::amplitude) {
         double const slope = (series[first] - series[first - 1]) / time_step_s_;
@@ -32,41 +33,48 @@ PeakResponse::State PeakResponse::state_before(Searched const& searched, std::si
     return {y, o.sample.vy * y0 + o.sample.vv * v0 + o.sample.va0 * a0 + o.sample.va1 * a1};
 }
 
-PeakResponse::State PeakResponse::state_at_end(Searched const& searched, std::size_t lane) const {
-    auto const& series = searched.series;
-    auto const& swept = searched.group->swept;
-    auto const& o = oscillators_[searched.group->first + lane].sample;
+// Every oscillator up to the last sample. The strided form needs the two last, which may lie in two tiles.
+void PeakResponse::read_to_end(Searched const& searched) const {
+    auto& reading = *searched.reading;
     std::size_t const last = searched.tiles->count() - 1;
-    if (swept.form != SweepForm::strided) {
-        auto [y, v] = state_before(searched, lane, last);
-        for (std::size_t n = 1 + last * SweepTiles::samples; n < series.size(); ++n) {
-            double const y1 = o.yy * y + o.yv * v + (o.ya0 * series[n - 1] + o.ya1 * series[n]);
-            v = o.vy * y + o.vv * v + (o.va0 * series[n - 1] + o.va1 * series[n]);
-            y = y1;
+    bool const strided = searched.group->swept.form == SweepForm::strided;
+    std::size_t const from = strided && last > 0 ? last - 1 : last;
+    for (std::size_t lane = 0; lane < searched.group->count; ++lane) {
+        add(searched, lane, from);
+    }
+    if (!strided) {
+        read_states(reading);
+        return;
+    }
+    read_recursion(reading);
+    if (from < last) {
+        reading.y[0] = reading.y.back();
+        for (std::size_t n = Searched::first(last); n < searched.series.size(); ++n) {
+            reading.ground[n + 1 - Searched::first(last)].fill(searched.series[n]);
         }
-        return {y, v};
+        read_recursion(reading);
     }
-    std::size_t const tile = last > 0 ? last - 1 : 0;  // two samples at least
-    double w = searched.state(lane, tile);
-    double d = searched.other(lane, tile);
-    double y0 = 0;
-    double y = 0;
-    for (std::size_t n = 1 + tile * SweepTiles::samples; n < series.size(); ++n) {
-        double const next = swept.ahead[lane] * d + (swept.behind[lane] * w + series[n]);
-        double const before = w;
-        w += d;
-        d = next;
-        y0 = y;
-        y = swept.unit[lane] * (swept.now[lane] * w + (swept.last[lane] * before + d));
+}
+
+PeakResponse::State PeakResponse::state_at_end(Searched const& searched, std::size_t lane) const {
+    auto const& reading = *searched.reading;
+    auto const& series = searched.series;
+    std::size_t const count = series.size() - Searched::first(searched.tiles->count() - 1);
+    double const y = reading.y[count][lane];
+    if (searched.group->swept.form != SweepForm::strided) {
+        return {y, reading.v[count][lane]};
     }
+    auto const& o = oscillators_[searched.group->first + lane].sample;
     double const a0 = series[series.size() - 2];
     double const a1 = series.back();
+    double const y0 = reading.y[count - 1][lane];
     double const v0 = (y - o.yy * y0 - o.ya0 * a0 - o.ya1 * a1) / o.yv;
     return {y, o.vy * y0 + o.vv * v0 + o.va0 * a0 + o.va1 * a1};
 }
 
 // Over still ground, behind the last sample.
 void PeakResponse::swing_on(Searched const& searched, std::span<PeakDisplacement> found) const {
+    read_to_end(searched);
     for (std::size_t lane = 0; lane < searched.group->count; ++lane) {
         auto const [y, v] = state_at_end(searched, lane);
         auto const peak = free_peak_and_time(oscillators_[searched.group->first + lane].w, damping_, y, v);

@@ -13,7 +13,8 @@ namespace overturn {
 struct PeakResponse::Searched {
     std::span<double const> series;
     Group const* group;
-    SweepTiles const* tiles;
+    SweepTiles* tiles;
+    CloseReading* reading;
 
     [[nodiscard]] double state(std::size_t lane, std::size_t tile) const {
         return tiles->at(tile)[simd::sweep_lanes + lane];
@@ -21,8 +22,10 @@ struct PeakResponse::Searched {
     [[nodiscard]] double other(std::size_t lane, std::size_t tile) const {
         return tiles->at(tile)[2 * simd::sweep_lanes + lane];
     }
-    [[nodiscard]] std::size_t end(std::size_t first) const {
-        return std::min(first + SweepTiles::samples, series.size());
+    // Its samples are [first, end).
+    [[nodiscard]] static std::size_t first(std::size_t tile) { return 1 + tile * SweepTiles::samples; }
+    [[nodiscard]] std::size_t end(std::size_t tile) const {
+        return std::min(first(tile) + SweepTiles::samples, series.size());
     }
 };
 

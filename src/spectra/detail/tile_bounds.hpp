@@ -10,6 +10,8 @@
 
 namespace overturn {
 
+inline constexpr double bound_error = 1e-9;  ///< by which a bound may err
+
 /// The largest |a| and |change of a| of each tile.
 struct TileGround {
     std::vector<double> most, steepest;
