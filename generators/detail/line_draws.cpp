@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/units.hpp"
+#include "generators/detail/log_table.hpp"
 #include "simd/stream_words.hpp"
 #include "simd/targets.hpp"
 
@@ -126,6 +127,62 @@ void fill_turns(std::span<std::uint64_t const> words, std::complex<double>* turn
     }
 }
 
+// In the order of musl's log, where the machine has no fused operation.
+HWY_INLINE Reals log_near_one(Reals x) {
+    using log_table::near_one;
+    auto const r = hn::Sub(x, real(1));
+    auto const r2 = hn::Mul(r, r);
+    auto const r3 = hn::Mul(r, r2);
+    auto const three = [&](std::size_t first, Reals rest) {  // of the powers from this one on, and r^3 times the rest
+        auto const two = hn::Add(real(near_one[first]), hn::Mul(r, real(near_one[first + 1])));
+        return hn::Add(hn::Add(two, hn::Mul(r2, real(near_one[first + 2]))), hn::Mul(r3, rest));
+    };
+    auto const y = hn::Mul(r3, three(1, three(4, three(7, real(near_one[10])))));
+    auto const upper = hn::Mul(r, real(0x1p27));
+    auto const r_high = hn::Sub(hn::Add(r, upper), upper);
+    auto const r_low = hn::Sub(r, r_high);
+    auto const square = hn::Mul(hn::Mul(r_high, r_high), real(near_one[0]));
+    auto const high = hn::Add(r, square);
+    auto const low = hn::Add(hn::Sub(r, high), square);
+    auto const more = hn::Mul(hn::Mul(real(near_one[0]), r_low), hn::Add(r_high, r));
+    return hn::Add(hn::Add(y, hn::Add(low, more)), high);
+}
+
+// Of normal numbers below 1.
+HWY_INLINE Reals log_of(Reals x) {
+    using Whole = hn::RebindToSigned<Real>;
+    using namespace log_table;
+    constexpr std::uint64_t from = 0x3fe6000000000000;  // 0.6875
+    constexpr double near = 1 - 0x1p-4;
+    auto const bits = hn::BitCast(Word(), x);
+    auto const beyond = hn::Sub(bits, hn::Set(Word(), from));
+    auto const k = hn::ConvertTo(Real(), hn::ShiftRight<52>(hn::BitCast(Whole(), beyond)));
+    auto const z = hn::BitCast(Real(), hn::Sub(bits, hn::And(beyond, hn::Set(Word(), 0xfffULL << 52U))));
+    auto const part_of = hn::And(hn::ShiftRight<45>(beyond), hn::Set(Word(), rows.size() / columns - 1));
+    auto const row = hn::BitCast(Whole(), hn::ShiftLeft<2>(part_of));
+    auto const column = [&](std::size_t i) { return hn::GatherIndex(Real(), rows.data() + i, row); };
+    auto const r = hn::Mul(hn::Sub(hn::Sub(z, column(2)), column(3)), column(0));
+    auto const r2 = hn::Mul(r, r);
+    auto const w = hn::Add(hn::Mul(k, real(ln2_high)), column(1));
+    auto const high = hn::Add(w, r);
+    auto const low = hn::Add(hn::Add(hn::Sub(w, high), r), hn::Mul(k, real(ln2_low)));
+    auto const last = hn::Add(real(part[3]), hn::Mul(r, real(part[4])));
+    auto const inner = hn::Add(hn::Add(real(part[1]), hn::Mul(r, real(part[2]))), hn::Mul(r2, last));
+    auto const y = hn::Add(hn::Add(low, hn::Mul(r2, real(part[0]))), hn::Mul(hn::Mul(r, r2), inner));
+    auto const value = hn::Add(y, high);
+    auto const close = hn::Ge(x, real(near));
+    return hn::AllFalse(Real(), close) ? value : hn::IfThenElse(close, log_near_one(x), value);
+}
+
+void fill_scatters(std::span<double const> numbers, double* scatters) {
+    constexpr auto lanes = hn::MaxLanes(Real());
+    auto const sigma = real(std::sqrt(0.5));
+    for (std::size_t i = 0; i < numbers.size(); i += lanes) {
+        auto const twice = hn::Mul(real(-2), log_of(hn::LoadU(Real(), numbers.data() + i)));
+        hn::StoreU(hn::Mul(sigma, hn::Sqrt(twice)), Real(), scatters + i);
+    }
+}
+
 }  // namespace overturn::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 
@@ -133,6 +190,7 @@ HWY_AFTER_NAMESPACE();
 namespace overturn {
 
 HWY_EXPORT(fill_turns);
+HWY_EXPORT(fill_scatters);
 
 namespace {
 
@@ -154,20 +212,31 @@ void turns_of(std::span<std::uint64_t const> words, std::complex<double>* turns)
     HWY_DYNAMIC_DISPATCH(fill_turns)(words, turns);
 }
 
+void scatters_of(std::span<double const> numbers, double* scatters) {
+    OVERTURN_EXPECT(numbers.size() % simd::counters_together == 0);
+    HWY_DYNAMIC_DISPATCH(fill_scatters)(numbers, scatters);
+}
+
 Lines draw_lines(LineStreams const& streams, std::span<double const> amplitude, LineAmplitudes kind) {
     Lines lines(amplitude.size());
     simd::StreamWords scatters(streams.amplitudes);
-    double const sigma = std::sqrt(0.5);
+    bool const gaussian = kind == LineAmplitudes::gaussian;
+    std::array<double, together> numbers;
+    std::array<double, together> scatter;
+    numbers.fill(0.5);
+    scatter.fill(1);
     std::array<std::uint64_t, together> words;
     std::array<std::complex<double>, together> turns;
     for (std::size_t first = 1; first < lines.size(); first += together) {
         simd::stream_words(streams.phases, first / 4, words);
         turns_of(words, turns.data());
         auto const count = std::min(together, lines.size() - first);
+        if (gaussian) {
+            std::generate_n(numbers.begin(), count, [&] { return next_above_zero(scatters); });
+            scatters_of(numbers, scatter.data());
+        }
         for (std::size_t i = 0; i < count; ++i) {
-            double const scatter =
-                kind == LineAmplitudes::gaussian ? sigma * std::sqrt(-2 * std::log(next_above_zero(scatters))) : 1.0;
-            double const size = scatter * amplitude[first + i];
+            double const size = scatter[i] * amplitude[first + i];
             lines[first + i] = {size * turns[i].real(), size * turns[i].imag()};
         }
     }

@@ -20,6 +20,10 @@ enum class LineAmplitudes { fixed, gaussian };
 /// functions. \pre a multiple of simd::words_together
 void turns_of(std::span<std::uint64_t const> words, std::complex<double>* turns);
 
+/// sqrt(-2 ln u) sqrt(1/2) of each number u above 0 and below 1, a multiple of 2^-53: the bits of the C functions.
+/// \pre a multiple of simd::counters_together
+void scatters_of(std::span<double const> numbers, double* scatters);
+
 struct LineStreams {
     StreamKey phases, amplitudes;
 

@@ -55,6 +55,48 @@ TEST(LineDraws, AreThoseOfGslAndTheCLibrary) {
     }
 }
 
+void expect_scatters_of_the_c_library(std::vector<double> numbers, std::string_view where) {
+    numbers.resize((numbers.size() + simd::counters_together - 1) / simd::counters_together * simd::counters_together,
+                   0.5);
+    std::vector<double> scatters(numbers.size());
+    scatters_of(numbers, scatters.data());
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        double const wanted = std::sqrt(0.5) * std::sqrt(-2 * std::log(numbers[i]));
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(scatters[i]), std::bit_cast<std::uint64_t>(wanted))
+            << where << " " << numbers[i];
+    }
+}
+
+// Numbers of any size, the least and the largest that are drawn, and the least steps about the borders of the table's
+// 128 parts and of what is near 1.
+TEST(LineDraws, ScattersAreThoseOfTheCLibrary) {
+    std::vector<double> numbers;
+    for (int power = 1; power <= 53; ++power) {
+        for (double const times : {1.0, 3.0, 5.0}) {
+            numbers.push_back(times * std::ldexp(1, -power - 3));
+            numbers.push_back(1 - times * std::ldexp(1, -power - 3));
+        }
+    }
+    for (int part = 0; part <= 256; ++part) {
+        double const border = 0.5 + part / 512.0;
+        for (int step = -3; step <= 3; ++step) {
+            numbers.push_back(border + step * 0x1p-53);
+            numbers.push_back((border + step * 0x1p-53) / 1024);
+        }
+    }
+    RandomStream stream(StreamKey{3, 1, Purpose::wave_amplitude, 0});
+    for (int i = 0; i < 300'000; ++i) {
+        numbers.push_back(gsl_rng_uniform_pos(stream.gsl()));
+        numbers.push_back(1 - gsl_rng_uniform_pos(stream.gsl()) / 16);
+        numbers.push_back(std::ldexp(gsl_rng_uniform_pos(stream.gsl()), -(i % 40)));
+    }
+    std::erase_if(numbers, [](double u) { return u < 0x1p-53 || u >= 1; });
+    for (auto const set : simd::instruction_sets()) {
+        simd::OnlyInstructionSet const only(set);
+        expect_scatters_of_the_c_library(numbers, simd::name_of(set));
+    }
+}
+
 void expect_turns_of_the_c_library(std::vector<std::uint64_t> words, std::string const& where) {
     words.resize((words.size() + simd::words_together - 1) / simd::words_together * simd::words_together);
     std::vector<std::complex<double>> turns(words.size());
