@@ -225,6 +225,12 @@ std::vector<std::string> warnings_of_stated_effects(BodySpec const& body, Ground
                                         stated.missing));
         }
     }
+    if (!body.friction && points_grip && (effects.wanted() & mask_of(Effect::sliding)) == 0) {
+        lines.push_back(fmt::format(
+            "{}: its points grip without limit, because no friction is stated: what its slip says is their spring. "
+            "State friction, and add sliding to the effects, if it may slip",
+            body.name));
+    }
     bool const in_space = body.axes > 1 && !motion.transverse_mps2.empty();
     if (body.friction && (body.footing.stated || in_space) && (effects.wanted() & on_bed) != 0) {
         double const slope = body.body.half_width_m() / body.body.centre_height_m();

@@ -29,6 +29,7 @@
 #include "output/sections.hpp"
 #include "output/status_text.hpp"
 #include "output/typed_columns.hpp"
+#include "output/unknown_names.hpp"
 #include "results/analysis.hpp"
 #include "results/few_waves.hpp"
 #include "results/hand_check.hpp"
@@ -213,6 +214,9 @@ int fit_file(FitOptions const& options) {
         print_fitted_json(all, spec, statistics, changed, unknown_columns(file, spec));
     } else {
         print_fitted(all, spec, statistics, withheld, options.file, text);
+        if (auto const unknown = output::unknown_columns_text(file, spec); !unknown.empty()) {
+            print_note("overturn: {}: {} (another program wrote them)\n", options.file, unknown);
+        }
     }
     bool const own = all.confidence == spec.confidence && !options.beta_u;
     return print_refit(options, file, spec, statistics, own ? &all.analysis : nullptr);

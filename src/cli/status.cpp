@@ -14,6 +14,7 @@
 #include "core/wrapped.hpp"
 #include "output/failed_trials.hpp"
 #include "output/status_text.hpp"
+#include "output/unknown_names.hpp"
 #include "output/waves_text.hpp"
 #include "results/missed_clauses.hpp"
 #include "results/recount.hpp"
@@ -93,6 +94,9 @@ StatusReport report_of_file(std::string const& path, Unverified const& unverifie
     report.more += failed.text();
     if (auto const known = store::known_errors_of(file.integer("format_version")); !known.empty()) {
         report.more += known.substr(1) + '\n';
+    }
+    if (auto const unknown = output::unknown_columns_text(file, spec); !unknown.empty()) {
+        report.more += wrapped(unknown);
     }
     report.facts = {{"complete", true},
                     {"edited", changed},

@@ -32,7 +32,8 @@ struct Packing {
         verb.takes(
             "--packed", packed,
             "compress the results file, also one that is complete (with --extend); what is packed stays so when it is "
-            "extended: same content; about one sixth of the size from 100 000 trials on, one "
+            "extended; state it again with --resume: same content; about one sixth of the size from 100 000 trials on, "
+            "one "
             "fifth of 24 000, no smaller up to 16 384");
     }
     [[nodiscard]] store::Layout layout() const { return packed ? store::Layout::packed : store::Layout::plain; }

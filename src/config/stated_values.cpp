@@ -8,6 +8,7 @@
 #include <toml++/toml.h>
 
 #include "config/detail/settings.hpp"
+#include "config/detail/table_node.hpp"
 #include "core/error.hpp"
 #include "core/units.hpp"
 
@@ -30,6 +31,9 @@ std::string text_of(toml::node const& node) {
         return text.empty() ? "[]" : text + "]";
     }
     if (auto const* const number = node.as_floating_point()) {
+        return fmt::format("{}", number->get());
+    }
+    if (auto const* const number = node.as_integer()) {
         return fmt::format("{}", number->get());
     }
     std::ostringstream out;
@@ -83,10 +87,19 @@ void collect_tables(toml::array const& list, Place const& place, Values& values)
     put(order, order, place, values);
 }
 
-void collect(toml::node const& node, Place const& place, Values& values) {
+// Says where values come from: `basis`, and beside a basis in words `source`, which [waves] has as a key of its own.
+bool is_origin(toml::table const& table, std::string_view key, Place const& place) {
+    auto const* const basis = table.get("basis");
+    return basis != nullptr && (key == "basis" || (key == "source" && basis->is_string() && place.path != "waves"));
+}
+
+void collect(toml::node const& stated, Place const& place, Values& values) {
+    auto const& node = *value_in(&stated);
     if (auto const* const table = node.as_table()) {
         for (auto const& [key, each] : *table) {
-            collect(each, place.at(key.str()), values);
+            if (!is_origin(*table, key.str(), place)) {
+                collect(each, place.at(key.str()), values);
+            }
         }
     } else if (auto const* const list = node.as_array(); list != nullptr && list->is_array_of_tables()) {
         collect_tables(*list, place, values);

@@ -1,4 +1,5 @@
-/// Values that a file states, key by key, to compare two files: comments, order, layout and units do not count.
+/// Values that a file states, key by key, to compare two files: comments, order, layout, units and statements of where
+/// a value comes from (`basis`, `source`, `range`) do not count.
 #pragma once
 
 #include <cstddef>

@@ -23,8 +23,11 @@ inline constexpr std::int64_t format_version = 5;
 inline constexpr char const* no_text = "(none)";       ///< the name of an empty text
 inline constexpr std::int64_t oldest_format_read = 3;  ///< earlier files are read by the program that made them
 
-/// Of a packed column; one of no more rows lies as in a plain file.
+/// Of a packed column; one of no more rows lies as in a plain file, but layout_column.
 inline constexpr std::int64_t rows_of_a_chunk = 1 << 14U;
+
+/// In a packed file this column is in chunks however short it is: it shows how the file lies.
+inline constexpr std::string_view layout_column = "trials/verdict";
 
 /// How the columns of long tables lie in the file. Their content, and its digest, is the same.
 enum class Layout {
@@ -142,7 +145,7 @@ class ResultsReader {
     void require(std::string const& dataset) const;
     /// Rows of a column of numbers. \throws InputError if it is none
     [[nodiscard]] std::int64_t length(std::string const& dataset) const;
-    /// Of the columns of trials; none where they are too short to differ by it.
+    /// Of the columns of trials, as layout_column shows it; none where that is plain and they are too short to differ.
     [[nodiscard]] std::optional<Layout> layout() const;
     [[nodiscard]] std::vector<std::string> members(std::string const& group) const;
     /// All columns and small arrays, by path.

@@ -111,13 +111,11 @@ std::int64_t ResultsReader::length(std::string const& dataset) const {
 }
 
 std::optional<Layout> ResultsReader::layout() const {
-    std::string const column = "trials/verdict";
-    auto const dataset = open_numbers(opened_->file, column);
-    if (length_of(dataset) <= rows_of_a_chunk) {
-        return std::nullopt;
-    }
-    PropertyList const made(checked(H5Dget_create_plist(dataset.id()), "look at " + column));
-    return H5Pget_layout(made.id()) == H5D_CHUNKED ? Layout::packed : Layout::plain;
+    auto const dataset = open_numbers(opened_->file, std::string(layout_column));
+    PropertyList const made(checked(H5Dget_create_plist(dataset.id()), fmt::format("look at {}", layout_column)));
+    return H5Pget_layout(made.id()) == H5D_CHUNKED ? std::optional(Layout::packed)
+           : length_of(dataset) > rows_of_a_chunk  ? std::optional(Layout::plain)
+                                                   : std::nullopt;
 }
 
 std::vector<std::string> ResultsReader::members(std::string const& group) const {

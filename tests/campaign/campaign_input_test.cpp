@@ -78,6 +78,33 @@ TEST(CampaignInput, BlocksBelongToCampaignProgramAndMachine) {
     EXPECT_EQ(machine.sha256(), base.sha256());
 }
 
+// Where a value comes from decides no row: whoever states it later keeps what was computed. A key `source` of the waves
+// is what they are made of.
+TEST(CampaignInput, StatementsOfOriginAreNoDifferences) {
+    auto const input = [](std::string const& text, std::string const& body = "mass = '12 t'\n") {
+        return CampaignInput{"c.toml", text, {}, {{"b.toml", body}}};
+    };
+    std::string const waves = "seed = 11\n[waves]\nsource = 'spectrum-compatible'\n";
+    std::string const bodies = "[[bodies]]\nfile = 'b.toml'\nfriction = 0.5\n";
+    auto const base = input(waves + bodies);
+    for (auto const& same :
+         {input(waves + "basis = 'assumed'\n" + bodies),
+          input(waves + bodies + "basis = 'measured'\nsource = 'page 3'\n"),
+          input(waves
+                + "[[bodies]]\nfile = 'b.toml'\nfriction = {value = 0.5, basis = 'assumed', range = [0.4, 0.6]}\n"),
+          input(waves + bodies, "mass = '12 t'\n[basis]\nmass = 'published: plate'\n"),
+          input("seed = 0x0B\n" + waves.substr(waves.find('[')) + bodies)}) {
+        EXPECT_EQ(base.differences(same), std::vector<std::string>()) << same.text;
+        EXPECT_EQ(base.differences_of_rows(same), std::vector<std::string>()) << same.text;
+        EXPECT_EQ(base.block_key(), same.block_key()) << same.text;
+    }
+    auto const other = input("seed = 11\n[waves]\nbasis = 'assumed'\nsource = 'records'\n" + bodies);
+    EXPECT_EQ(base.differences_of_rows(other),
+              std::vector<std::string>{"waves.source was 'spectrum-compatible', is 'records'"});
+    auto const friction = input(waves + "[[bodies]]\nfile = 'b.toml'\nfriction = {value = 0.6, basis = 'assumed'}\n");
+    EXPECT_EQ(base.differences_of_rows(friction).size(), 1U);
+}
+
 TEST(CampaignInput, DifferencesNameTheKey) {
     auto const base = example();
     auto other = base;

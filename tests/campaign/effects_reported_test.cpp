@@ -76,6 +76,10 @@ TEST(StatedEffects, FrictionThatTheyIgnoreIsReported) {
     EXPECT_FALSE(told(warnings("friction=0.5\n", ""), stuck));
     EXPECT_FALSE(told(warnings("", "[effects]\ninclude=['contact']\n"), stuck)) << "it states none";
     EXPECT_TRUE(told(warnings("friction=0.5\n", "[effects]\nmode='none'\n"), stuck));
+    char const* const grips = "type-b: its points grip without limit, because no friction is stated";
+    EXPECT_TRUE(told(warnings("", "[effects]\ninclude=['contact']\n"), grips));
+    EXPECT_FALSE(told(warnings("friction=0.5\n", "[effects]\ninclude=['contact']\n"), grips)) << "said otherwise";
+    EXPECT_FALSE(told(warnings("", "[effects]\nmode='none'\n"), grips)) << "it has no points";
 }
 
 // Points grip by the kinetic coefficient: where the static one alone is above tan(alpha), 0.431, a body slides that
@@ -147,7 +151,9 @@ TEST(StatedEffects, BasesAndComponentsThatTheyLeaveOutAreReported) {
     auto const lines = warnings_of_stated_effects(body, motion, parse_effects("none"));
     EXPECT_TRUE(told(lines, "it moves in one plane (the wave has a second component"));
     EXPECT_TRUE(told(lines, "does not move vertically (the wave has a vertical component, but effects (none)"));
-    EXPECT_TRUE(warnings_of_stated_effects(body, motion, parse_effects("vertical,spatial")).empty());
+    auto const in_space = warnings_of_stated_effects(body, motion, parse_effects("vertical,spatial"));
+    EXPECT_EQ(in_space.size(), 1U);
+    EXPECT_TRUE(told(in_space, "its points grip without limit, because no friction is stated"));
     body.axes = 1;
     EXPECT_TRUE(warnings_of_stated_effects(body, motion, parse_effects("none")).empty()) << "shaken along one axis";
     EXPECT_TRUE(told(warnings_of_stated_effects(body, motion, parse_effects("vertical")), "vertically (axes = 1)"));

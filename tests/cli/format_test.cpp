@@ -12,6 +12,7 @@
 #include "store/detail/objects.hpp"
 #include "store/results_file.hpp"
 #include "support/command.hpp"
+#include "support/single_blanks.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -278,6 +279,13 @@ TEST_F(Format, AProgramWithMoreIsRead) {
     for (std::string const verb : {"fit", "status"}) {
         auto const found = json::parse(overturn(folder, {verb, "more.h5", "--json"}).out).at("unknown_columns");
         EXPECT_EQ(found, unknown) << verb;
+        auto const text = overturn(folder, {verb, "more.h5"});
+        auto all = text.out + text.err;
+        std::ranges::replace(all, '\n', ' ');
+        EXPECT_NE(single_blanks(all).find("columns that this program does not know: stripes/block/crushed, "
+                                          "stripes/block/crushing_called"),
+                  std::string::npos)
+            << text.out << text.err;
     }
 }
 

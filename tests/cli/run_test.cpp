@@ -126,6 +126,11 @@ TEST_F(Run, PackedIsSmallerAndTheSame) {
     auto const grown =
         bytes(joined({OVERTURN_PROGRAM, "run", "c.toml", "-o", "again.h5", "--extend", "--shrink"}, more), "again.h5");
     expect_same(at_once, grown, "a packed file, extended");
+    std::vector<std::string> const little_more{"--set", "levels.values={from='1 gal', to='500 gal', count=2701}"};
+    expect_same(bytes(joined({OVERTURN_PROGRAM, "run", "c.toml", "-o", "some.h5", "--packed"}, little_more), "some.h5"),
+                bytes(joined({OVERTURN_PROGRAM, "run", "c.toml", "-o", "few.h5", "--extend", "--shrink"}, little_more),
+                      "few.h5"),
+                "a packed file too short for chunks, extended");
 
     auto const fitted = overturn(folder, {"fit", "plain.h5", "--json"});
     EXPECT_EQ(fitted.code, 0) << fitted.err;

@@ -64,7 +64,8 @@ Dataset ResultsWriter::Growing::create(std::string const& where, Field const& sp
     auto const properties = dataset_properties();
     PropertyList const access(checked(H5Pcreate(H5P_DATASET_ACCESS), "make dataset properties"));
     if (layout == Layout::packed) {
-        pack(properties, access, size);
+        bool const shows_it = fmt::format("{}/{}", where, spec.name) == layout_column;
+        pack(properties, access, size, shows_it ? 0 : rows_of_a_chunk);
     } else if (room == Room::now) {
         checked(H5Pset_alloc_time(properties.id(), H5D_ALLOC_TIME_EARLY), "ask for room at once");
         checked(H5Pset_fill_time(properties.id(), H5D_FILL_TIME_NEVER), "leave it as it is");
