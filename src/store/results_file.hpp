@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -89,18 +90,24 @@ class ResultsWriter {
     [[nodiscard]] RowPlaces give_places();
 
     /// Adds the digest of every object, closes the file, seals it, makes it durable and gives it its name.
-    /// \param hash of the rows whose places were given, and of the whole file
+    /// \param hash of the rows, and of the whole file
     void finish(HashStretches const& hash = hash_stretches);
 
   private:
     struct Growing;
     void settle();
-    void add_digests(HashStretches const& hash);
+    struct ReadBack {
+        std::map<std::string, Stretches> long_columns;  ///< by path
+        Stretches between;                              ///< columns
+        StretchDigests digests;                         ///< of both, and of stretches of the file
+    };
+    [[nodiscard]] RowPlaces places() const;
+    [[nodiscard]] ReadBack read_back(HashStretches const& hash) const;
+    void add_digests(ReadBack const& read);
 
     std::filesystem::path path_;
     std::filesystem::path growing_path_;
     std::unique_ptr<Growing> growing_;
-    RowPlaces places_;  ///< that were given
     bool settled_ = false;
     bool finished_ = false;
 };

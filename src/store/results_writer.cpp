@@ -126,11 +126,10 @@ void ResultsWriter::Growing::write(Table& table) {
     table.waiting.clear();
 }
 
-RowPlaces ResultsWriter::give_places() {
+RowPlaces ResultsWriter::places() const {
     OVERTURN_EXPECT(growing_->layout == Layout::plain);
     RowPlaces places{growing_path_, {}};
-    for (auto& table : growing_->tables) {
-        OVERTURN_EXPECT(table.taken() == 0);
+    for (auto const& table : growing_->tables) {
         TablePlace place{table.spec.row_bytes, table.rows, {}};
         auto const add = [&](Dataset const& dataset, std::string const& name, std::uint64_t bytes,
                              std::uint64_t offset) {
@@ -147,6 +146,13 @@ RowPlaces ResultsWriter::give_places() {
             add(*table.numbers, table.spec.axis, sizeof(std::int64_t), ColumnPlace::of_number);
         }
         places.tables.push_back(std::move(place));
+    }
+    return places;
+}
+
+RowPlaces ResultsWriter::give_places() {
+    for (auto& table : growing_->tables) {
+        OVERTURN_EXPECT(table.taken() == 0);
         table.written = table.rows;
     }
     settle();
@@ -157,29 +163,50 @@ RowPlaces ResultsWriter::give_places() {
         throw SystemError(fmt::format("cannot extend {} ({}). {}", growing_path_.string(), std::strerror(errno),
                                       advice_on_disk(errno)));
     }
-    return places_ = std::move(places);
+    return places();
 }
 
-void ResultsWriter::add_digests(HashStretches const& hash) {
-    HashedColumns hashed;
-    std::vector<Stretch> stretches;
-    std::vector<std::pair<std::string, std::size_t>> counts;
-    for (auto const& table : places_.tables) {
+// Reads long columns back, and with the same bytes the stretches of the file that they lie in. What HDF5 changes of
+// such a stretch after that lies between columns: these got their room in one piece when they were made, and HDF5
+// neither moves nor writes them once their rows are there; of rows it holds nothing back. Packed columns have no such
+// place.
+ResultsWriter::ReadBack ResultsWriter::read_back(HashStretches const& hash) const {
+    ReadBack read;
+    if (growing_->layout == Layout::packed) {
+        return read;
+    }
+    Stretches columns, wanted;
+    for (auto const& table : places().tables) {
         for (auto const& column : table.columns) {
-            auto const bytes = static_cast<std::uint64_t>(table.rows) * column.bytes;
-            if (auto const length = column_stretch / column.bytes * column.bytes; bytes > length) {
-                auto const some = stretches_of(column.at, bytes, length);
-                stretches.insert(stretches.end(), some.begin(), some.end());
-                counts.emplace_back(column.path, some.size());
+            Stretch const whole{column.at, static_cast<std::uint64_t>(table.rows) * column.bytes};
+            columns.insert(whole);
+            if (auto const length = column_stretch / column.bytes * column.bytes; whole.bytes > length) {
+                auto some = stretches_of(whole.at, whole.bytes, length);
+                wanted.insert(some.begin(), some.end());
+                read.long_columns.emplace(column.path, std::move(some));
             }
         }
     }
+    // Not the first one, with the head of the file; nor the last one, with its end.
+    for (auto const& whole : stretches_of(0, columns.empty() ? 0 : columns.rbegin()->end(), file_stretch)) {
+        if (whole.at > 0 && whole.bytes == file_stretch) {
+            wanted.insert(whole);
+            read.between.merge(outside(whole, columns));
+        }
+    }
+    wanted.insert(read.between.begin(), read.between.end());
     // Opened anew, it has its present length on this node too, also through what is open already.
     std::ifstream const seen(growing_path_);
-    auto const digests = stretches.empty() ? std::vector<std::string>() : hash(growing_path_, stretches);
-    for (auto next = digests.begin(); auto const& [path, count] : counts) {
-        hashed[path].assign(next, next + static_cast<std::ptrdiff_t>(count));
-        next += static_cast<std::ptrdiff_t>(count);
+    read.digests = wanted.empty() ? StretchDigests() : hash(growing_path_, wanted);
+    return read;
+}
+
+void ResultsWriter::add_digests(ReadBack const& read) {
+    HashedColumns hashed;
+    for (auto const& [path, stretches] : read.long_columns) {
+        for (auto const& stretch : stretches) {
+            hashed[path].push_back(read.digests.at(stretch));
+        }
     }
     auto const text = text_of(digests_of(growing_->file, ContentHash::stretches, hashed));
     attribute(digest_of_all, sha256(text));
@@ -196,14 +223,20 @@ void ResultsWriter::finish(HashStretches const& hash) {
             throw ContractError(fmt::format("table {} got {} of {} rows", table.spec.group, table.written, table.rows));
         }
     }
-    add_digests(hash);
+    auto read = read_back(hash);
+    add_digests(read);
     // First everything goes to disk, where a failure is heard of; then closing has nothing left to write.
     checked(H5Fflush(growing_->file.id(), H5F_SCOPE_GLOBAL), "write " + growing_path_.string());
     growing_->tables.clear();
     growing_->groups.clear();
     growing_->types.close();
     checked(H5Fclose(growing_->file.release()), "close " + growing_path_.string());
-    seal(growing_path_, hash);
+    for (auto const& [part, digest] : hash_stretches(growing_path_, read.between)) {
+        if (digest != read.digests.at(part)) {
+            read.digests.erase({part.at / file_stretch * file_stretch, file_stretch});
+        }
+    }
+    seal(growing_path_, hash, std::move(read.digests));
     make_durable(growing_path_);
     rename_durably(growing_path_, path_);
     finished_ = true;

@@ -1,15 +1,14 @@
 #include "store/seal.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <fstream>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "core/error.hpp"
 #include "store/durable.hpp"
@@ -33,10 +32,17 @@ std::uint64_t line_length(std::string_view begin) { return line_of(begin, std::s
 }
 
 // Up to one stretch: of the bytes themselves.
-std::string sealed_line(std::filesystem::path const& path, std::uint64_t bytes, HashStretches const& hash) {
-    auto const digests = hash(path, stretches_of(0, bytes, file_stretch));
-    return digests.size() == 1 ? line_of(mark, digests.front(), bytes)
-                               : line_of(mark_of_stretches, sha256(fmt::format("{}", fmt::join(digests, ""))), bytes);
+std::string sealed_line(std::filesystem::path const& path, std::uint64_t bytes, HashStretches const& hash,
+                        StretchDigests known = {}) {
+    auto const stretches = stretches_of(0, bytes, file_stretch);
+    auto unknown = stretches;
+    std::erase_if(unknown, [&](Stretch const& stretch) { return known.contains(stretch); });
+    known.merge(hash(path, unknown));
+    std::string digests;
+    for (auto const& stretch : stretches) {
+        digests += known.at(stretch);
+    }
+    return stretches.size() == 1 ? line_of(mark, digests, bytes) : line_of(mark_of_stretches, sha256(digests), bytes);
 }
 
 // The last bytes of a file: as many as the longer line has, or all.
@@ -52,8 +58,8 @@ std::string end_of(std::filesystem::path const& path, std::uint64_t size) {
 
 }  // namespace
 
-void seal(std::filesystem::path const& path, HashStretches const& hash) {
-    auto const line = sealed_line(path, std::filesystem::file_size(path), hash);
+void seal(std::filesystem::path const& path, HashStretches const& hash, StretchDigests known) {
+    auto const line = sealed_line(path, std::filesystem::file_size(path), hash, std::move(known));
     append(path, std::as_bytes(std::span(line)));
 }
 
@@ -72,8 +78,8 @@ Seal seal_of(std::filesystem::path const& path) {
     }
     // Of one digest, as long files had before they were hashed in stretches.
     auto const line = std::string_view(end).substr(end.size() - line_length(mark));
-    std::array const whole{Stretch{0, size - line.size()}};
-    if (line.starts_with(mark) && line == line_of(mark, hash_stretches(path, whole).front(), size - line.size())) {
+    Stretch const whole{0, size - line.size()};
+    if (line.starts_with(mark) && line == line_of(mark, hash_stretches(path, {whole}).at(whole), whole.bytes)) {
         return Seal::intact;
     }
     // One damaged letter of the line is damage, not another program's work.

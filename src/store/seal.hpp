@@ -16,8 +16,8 @@ enum class Seal {
     missing  ///< never sealed, written to by another program, or cut
 };
 
-/// Appends the line. \throws SystemError
-void seal(std::filesystem::path const& path, HashStretches const& hash = hash_stretches);
+/// Appends the line. \param known digests of some of the file's stretches \throws SystemError
+void seal(std::filesystem::path const& path, HashStretches const& hash = hash_stretches, StretchDigests known = {});
 
 /// Reads the whole file: 1.3 GB a second where the processor knows SHA-256. \throws SystemError if it cannot be read
 [[nodiscard]] Seal seal_of(std::filesystem::path const& path);

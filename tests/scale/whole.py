@@ -59,7 +59,7 @@ def added_up(options, ranks):
         "start": options.start,
         "work": rule_of_ranks.Run(rule, ranks, costs, [1.0] * ranks, True).wall(),
         "rows": options.row * options.trials / ranks,
-        "file": 3 * options.bytes * options.trials / (1e9 * min(options.bandwidth, ranks * options.bandwidth_of_rank)),
+        "file": 2 * options.bytes * options.trials / (1e9 * min(options.bandwidth, ranks * options.bandwidth_of_rank)),
         "curves": options.fit * held * rounds / CURVES,
         "rank 0": options.receive * held * (1 if ranks > 1 else 0) + options.alone,
     }
@@ -76,7 +76,7 @@ def lost(parts, work, commits, ranks):
 
 def table(options):
     print(f"{options.trials} trials, {-(-options.trials // options.trials_of_wave)} waves of {1e3 * options.wave:g} ms; file of "
-          f"{options.bytes * options.trials / 1e9:.3g} GB, written once and read twice at {options.bandwidth:g} GB/s at most\n")
+          f"{options.bytes * options.trials / 1e9:.3g} GB, written once and read once at {options.bandwidth:g} GB/s at most\n")
     columns = ("start", "work", "rows", "file", "curves", "rank 0")
     print("| ranks | " + " | ".join(columns) + " | wall time | serial part | efficiency |\n|" + "---|" * (len(columns) + 4))
     serial, losses = 0.0, []

@@ -3,8 +3,9 @@
 // understood.
 #include "store/row_places.hpp"
 
-#include <array>
+#include <algorithm>
 #include <fstream>
+#include <random>
 #include <vector>
 
 #include <fmt/format.h>
@@ -93,7 +94,9 @@ void write_alone(std::filesystem::path const& path) {
     ResultsWriter writer(path);
     begin(writer);
     writer.append(0, bytes_of(rows_from(0, wave_count)));
-    writer.append(1, bytes_of(rows_from(0, row_count)));
+    constexpr std::int64_t few = 100;  // HDF5 would hold so few back
+    writer.append(1, bytes_of(rows_from(0, row_count - few)));
+    writer.append(1, bytes_of(rows_from(row_count - few, few)));
     end(writer);
 }
 
@@ -116,7 +119,7 @@ TEST(PlacedRows, GiveTheBytesOfRowsThatOneWriterAppends) {
     one.finish();
     other.finish();
     std::size_t hashed = 0;
-    end(writer, [&](std::filesystem::path const& path, std::span<Stretch const> stretches) {
+    end(writer, [&](std::filesystem::path const& path, Stretches const& stretches) {
         hashed += stretches.size();
         return hash_stretches(path, stretches);
     });
@@ -134,25 +137,130 @@ TEST(PlacedRows, NameTheFileThatTheyCannotWrite) {
     expect_system_error([&] { PlacedRows const rows({folder / "gone.h5", {}}); }, "cannot write", "gone.h5");
 }
 
+// Stretches of 64 MiB of the file, of which two lie among the columns and what is between these. Nobody writes rows:
+// they are holes of the file.
+class ReadBack : public ::testing::Test {
+  protected:
+    // \param hash as ResultsWriter::finish takes it
+    void write(HashStretches const& hash) const {
+        ResultsWriter writer(path);
+        writer.attribute("format", std::string(format_name));
+        writer.attribute("format_version", format_version);
+        (void)writer.table(table_of("trials"), 9'000'000);  // 72 MB a column of numbers
+        (void)writer.table(table_of("waves"), wave_count);  // what is made later lies behind these
+        (void)writer.give_places();
+        writer.finish(hash);
+    }
+    static bool is_of_the_file(Stretch const& stretch) {
+        return stretch.at % file_stretch == 0 && stretch.bytes > column_stretch;
+    }
+
+    TemporaryFolder folder;
+    std::filesystem::path path = folder / "out.h5";
+};
+
+TEST_F(ReadBack, IsOnePassWhereTheFileHasOnlyColumns) {
+    std::vector<Stretches> asked;
+    write([&](std::filesystem::path const& file, Stretches const& stretches) {
+        asked.push_back(stretches);
+        return hash_stretches(file, stretches);
+    });
+    ASSERT_EQ(asked.size(), 2U);
+    std::erase_if(asked[0], [](Stretch const& stretch) { return !is_of_the_file(stretch); });
+    EXPECT_EQ(asked[0], (Stretches{{file_stretch, file_stretch}, {2 * file_stretch, file_stretch}}));
+    auto const rest = std::filesystem::file_size(path) - 3 * file_stretch;
+    ASSERT_EQ(asked[1].size(), 2U);
+    EXPECT_EQ(*asked[1].begin(), (Stretch{0, file_stretch}));
+    EXPECT_EQ(asked[1].rbegin()->at, 3 * file_stretch);
+    EXPECT_LT(asked[1].rbegin()->bytes, rest) << "all but the seal";
+    EXPECT_EQ(seal_of(path), Seal::intact);
+    EXPECT_TRUE(ResultsReader(path).is_sealed());
+}
+
+// What HDF5 keeps between columns was other when it was read back: so was the digest of the stretch around it.
+TEST_F(ReadBack, NoticesWhatChangedSince) {
+    std::size_t passes = 0, changed = 0;
+    write([&](std::filesystem::path const& file, Stretches const& stretches) {
+        auto digests = hash_stretches(file, stretches);
+        if (passes++ > 0) {
+            EXPECT_EQ(stretches.size(), 3U) << "the first, the last, and one anew";
+            return digests;
+        }
+        for (auto& [stretch, digest] : digests) {
+            if (constexpr std::uint64_t short_part = 10'000; stretch.bytes < short_part && stretch.at > file_stretch) {
+                digest = sha256("other");
+                digests.at({stretch.at / file_stretch * file_stretch, file_stretch}) = sha256("other");
+                ++changed;
+            }
+        }
+        return digests;
+    });
+    EXPECT_EQ(changed, 1U);
+    EXPECT_EQ(seal_of(path), Seal::intact);
+}
+
 TEST(Stretches, CoverEveryByteOnce) {
-    auto const some = stretches_of(100, 25, 10);
-    ASSERT_EQ(some.size(), 3U);
-    EXPECT_EQ(some[1].at, 110U);
-    EXPECT_EQ(some[2].at, 120U);
-    EXPECT_EQ(some[2].bytes, 5U);
+    EXPECT_EQ(stretches_of(100, 25, 10), (Stretches{{100, 10}, {110, 10}, {120, 5}}));
+    EXPECT_EQ(stretches_of(100, 20, 10), (Stretches{{100, 10}, {110, 10}}));
     EXPECT_TRUE(stretches_of(7, 0, 10).empty());
+}
+
+TEST(Stretches, AreWhatIsOutsideOfOthers) {
+    EXPECT_EQ(outside({100, 50}, {}), (Stretches{{100, 50}}));
+    EXPECT_EQ(outside({100, 50}, {{0, 50}, {60, 45}, {110, 5}, {115, 5}, {130, 1}, {140, 20}, {170, 9}}),
+              (Stretches{{105, 5}, {120, 10}, {131, 9}}));
+    EXPECT_EQ(outside({100, 50}, {{0, 100}, {110, 30}, {150, 10}}), (Stretches{{100, 10}, {140, 10}}));
+    EXPECT_EQ(outside({100, 50}, {{160, 10}}), (Stretches{{100, 50}}));
+    EXPECT_TRUE(outside({100, 50}, {{90, 70}}).empty());
+    EXPECT_TRUE(outside({100, 50}, {{100, 50}}).empty());
 }
 
 // FIPS 180-4's digest of "abc", from the middle of a file.
 TEST(Stretches, HaveTheDigestOfTheirBytes) {
     TemporaryFolder const folder;
     spill(folder / "file", "xxabcyy");
-    std::array const stretches{Stretch{2, 3}, Stretch{0, 7}};
-    auto const digests = hash_stretches(folder / "file", stretches);
-    EXPECT_EQ(digests[0], "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-    EXPECT_EQ(digests[1], sha256("xxabcyy"));
-    std::array const beyond{Stretch{5, 3}};
-    expect_system_error([&] { (void)hash_stretches(folder / "file", beyond); }, "cannot read");
+    auto const digests = hash_stretches(folder / "file", {{2, 3}, {0, 7}, {4, 0}});
+    EXPECT_EQ(digests.at({2, 3}), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+    EXPECT_EQ(digests.at({0, 7}), sha256("xxabcyy"));
+    EXPECT_EQ(digests.at({4, 0}), sha256(""));
+    EXPECT_TRUE(hash_stretches(folder / "file", {}).empty());
+    EXPECT_TRUE(hash_stretches(folder / "gone", {}).empty()) << "nothing to read";
+    expect_system_error([&] { (void)hash_stretches(folder / "file", {{5, 3}}); }, "cannot read", "file");
+    expect_system_error([&] { (void)hash_stretches(folder / "file", {{0, 3}, {2, 6}}); }, "cannot read");
+    expect_system_error([&] { (void)hash_stretches(folder / "gone", {{0, 1}}); }, "cannot read", "gone");
+}
+
+// Bytes that this process has asked the kernel for.
+std::uint64_t bytes_read() {
+    std::ifstream file("/proc/self/io");
+    std::string name;
+    std::uint64_t bytes = 0;
+    file >> name >> bytes;
+    EXPECT_EQ(name, "rchar:");
+    return bytes;
+}
+
+TEST(Stretches, OverlapAndAreReadOnce) {
+    TemporaryFolder const folder;
+    constexpr std::size_t size = 5'000'000;
+    std::mt19937_64 random(2013);
+    std::string content(size, '\0');
+    std::ranges::generate(content, [&] { return static_cast<char>(random()); });
+    spill(folder / "file", content);
+    Stretches some{{0, size}, {0, size / 2}, {size / 2, size - size / 2}, {size / 2, 3}, {size - 5, 5}};
+    for (int i = 0; i < 60; ++i) {
+        auto const at = random() % size;
+        some.insert({at, random() % (size - at)});
+    }
+    auto const before = bytes_read();
+    auto const digests = hash_stretches(folder / "file", some);
+    auto const read = bytes_read() - before;
+    EXPECT_GE(read, size);
+    EXPECT_LT(read, size + 2 * some.size() * 8192) << "at each end up to what a stream reads ahead";
+    ASSERT_EQ(digests.size(), some.size());
+    for (auto const& [stretch, digest] : digests) {
+        EXPECT_EQ(digest, sha256(std::string_view(content).substr(stretch.at, stretch.bytes))) << stretch.at;
+    }
 }
 
 TEST(LongSeal, IsOfTheDigestsOfItsStretches) {

@@ -76,6 +76,16 @@ void take_statistics(Statistics& statistics, BytesIn& in) {
     }
 }
 
+// Number of the stretch of the file in which it begins.
+std::int64_t file_stretch_of(store::Stretch const& stretch) {
+    return static_cast<std::int64_t>(stretch.at / store::file_stretch);
+}
+
+// The first one that begins in that stretch of the file, or after it.
+store::Stretches::const_iterator first_in(store::Stretches const& stretches, std::int64_t number) {
+    return stretches.lower_bound({static_cast<std::uint64_t>(number) * store::file_stretch, 0});
+}
+
 // "0 17 text"
 std::pair<store::BlockRange, std::string> blocks_of(std::string text) {
     auto const first = take_number(text);
@@ -122,21 +132,24 @@ MergingRanks::MergingRanks(parallel::Communicator const& comm, CampaignSpec cons
             take_statistics(statistics, in);
         }
     };
-    help_.hash = [this](std::filesystem::path const& path, std::span<store::Stretch const> stretches) {
-        std::vector<std::string> hashes;
-        for (auto const& of_share : all_do(Task::hash, std::ssize(stretches), [&](Share some) {
-                 auto text = fmt::format("{}\n", some.last - some.first);
-                 for (auto const& stretch : stretches.subspan(some.first, some.last - some.first)) {
-                     text += fmt::format("{} {}\n", stretch.at, stretch.bytes);
-                 }
-                 return text + path.string();
-             })) {
-            for (std::size_t at = 0; at < of_share.size(); at += digits) {
-                hashes.push_back(of_share.substr(at, digits));
+    help_.hash = [this](std::filesystem::path const& path, store::Stretches const& stretches) {
+        auto const count = stretches.empty() ? 0 : file_stretch_of(*stretches.rbegin()) + 1;
+        auto const answers = all_do(Task::hash, count, [&](Share some) {
+            std::vector const share(first_in(stretches, some.first), first_in(stretches, some.last));
+            auto text = fmt::format("{}\n", share.size());
+            for (auto const& stretch : share) {
+                text += fmt::format("{} {}\n", stretch.at, stretch.bytes);
             }
+            return text + path.string();
+        });
+        auto const all = fmt::format("{}", fmt::join(answers, ""));
+        OVERTURN_ENSURE(all.size() == digits * stretches.size());
+        store::StretchDigests digests_of;
+        for (std::size_t at = 0; auto const& stretch : stretches) {
+            digests_of.emplace(stretch, all.substr(at, digits));
+            at += digits;
         }
-        OVERTURN_ENSURE(hashes.size() == stretches.size());
-        return hashes;
+        return digests_of;
     };
     help_.curves = [this](CampaignCurves const& curves) { return all_fit(curves); };
 }
@@ -340,16 +353,20 @@ std::string MergingRanks::hashes(std::string const& text) const {
     std::istringstream in(text);
     std::size_t count = 0;
     in >> count;
-    std::vector<store::Stretch> stretches(count);
-    for (auto& stretch : stretches) {
-        in >> stretch.at >> stretch.bytes;
+    store::Stretches stretches;
+    for (store::Stretch stretch; stretches.size() < count && in >> stretch.at >> stretch.bytes;) {
+        stretches.insert(stretch);
     }
     in.get();
     auto const path = text.substr(static_cast<std::size_t>(in.tellg()));
     std::string digests;
-    for (auto const& stretch : stretches) {
+    for (auto first = stretches.begin(); first != stretches.end();) {
         serve();
-        digests += store::hash_stretches(path, std::span(&stretch, 1)).front();
+        auto const last = first_in(stretches, file_stretch_of(*first) + 1);
+        for (auto const& [stretch, digest] : store::hash_stretches(path, {first, last})) {
+            digests += digest;
+        }
+        first = last;
     }
     return digests;
 }

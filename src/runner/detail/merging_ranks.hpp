@@ -28,7 +28,7 @@ struct Interrupted {};
 /// \pre all that it is made of outlives it, and is the same on all ranks
 class MergingRanks {
   public:
-    /// \param keep_running asked before every block and every stretch that is hashed, on every rank
+    /// \param keep_running asked before every block and every stretch of the file that is hashed, on every rank
     MergingRanks(parallel::Communicator const& comm, CampaignSpec const& spec, Plan const& drawn,
                  store::ShardFolder const& shards, std::function<bool()> keep_running);
 
