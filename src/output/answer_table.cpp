@@ -65,10 +65,11 @@ Table answer_table(Answered const& of) {
             return names;
         }
         auto const& high = at->quantiles.back();
-        for (auto const& [name, value] : {std::pair{"median", std::optional(at->quantiles.front().value)},
-                                          {"p95", std::optional(high.value)},
-                                          {"p95_upper", high.upper}}) {
-            if (value && *value >= at->fallen) {
+        // What is above a body that overturned is one too.
+        for (auto const& [name, value] : {std::pair("median", at->quantiles.front().value),
+                                          {"p95", high.value},
+                                          {"p95_upper", high.upper.value_or(high.value)}}) {
+            if (value >= at->fallen) {
                 names.emplace_back(name);
             }
         }
