@@ -6,16 +6,24 @@
 #include <limits>
 
 #include "core/error.hpp"
+#include "core/parts_of.hpp"
 #include "generators/acceptance.hpp"
 #include "spectra/named_targets.hpp"
 
 namespace overturn {
 namespace {
 
+// Of a bare number, which may be meant in more than one of them.
+std::string with_usual_units(std::string const& number, Dimension dimension) {
+    auto const larger = dimension == Dimension::mass ? "t" : dimension == Dimension::pressure ? "MPa" : "";
+    auto const other = larger[0] == 0 ? std::string() : fmt::format("\"{} {}\" or ", number, larger);
+    return fmt::format("{}\"{} {}\"", other, number, si_symbol(dimension));
+}
+
 template <Dimension dimension> void check_quantity(std::string const& text) {
     double number = 0;
-    validate(!parse_number(text, number), "'{}' (a number without its unit). Write \"{} {}\", or with your own unit",
-             text, text, si_symbol(dimension));
+    validate(!parse_number(text, number), "'{}' (a number without its unit). Write {}, or with your own unit", text,
+             with_usual_units(text, dimension));
     validate(parse_quantity(text, dimension) > 0, "'{}' (not above 0). State a {}", text, name_of(dimension));
 }
 
@@ -31,6 +39,21 @@ void check_word(std::string const& text, std::vector<std::string> const& words) 
 }
 
 constexpr double largest_friction = 1e3;
+
+void check_friction(std::string const& text) {
+    constexpr char const* range = "from 0, or a band such as 0.3 to 0.6";
+    auto const band = band_in(text);
+    if (!band) {
+        check_number(text, 0, largest_friction, range);
+        return;
+    }
+    check_number(band->first, 0, largest_friction, range);
+    check_number(band->second, 0, largest_friction, range);
+    double low = 0;
+    double high = 0;
+    validate(parse_number(band->first, low) && parse_number(band->second, high) && low < high,
+             "'{}' (the second number must be above the first). Write for example 0.3 to 0.6", text);
+}
 
 bool is_quantity(std::string const& text, Dimension dimension) {
     try {
@@ -52,6 +75,17 @@ void check_level(std::string const& text) {
              "'{}' (must be a number above 0, a blank and a unit of acceleration or velocity). Write for example \"600 "
              "gal\", \"0.3 g\" or \"100 kine\"",
              text);
+}
+
+void check_levels(std::string const& text) {
+    for (auto const& level : listed_in(text)) {
+        validate(!level.empty(), "'{}' (nothing between two commas). Write for example 900 gal, 1200 gal", text);
+        check_level(level);
+    }
+}
+
+Dimension dimension_of_level(std::string const& level) {
+    return is_quantity(level, Dimension::acceleration) ? Dimension::acceleration : Dimension::velocity;
 }
 
 void check_count(std::string const& text) {
@@ -126,9 +160,10 @@ constexpr std::array questions{
                   [](std::string const& text) {
                       check_word(text, {"square", "round"});
                   }},
-    StudyQuestion{
-        "--friction", "0.5", "coefficient of friction between base and pad; without it two bodies: 0.2 and 0.8",
-        &Answers::friction, [](std::string const& text) { check_number(text, 0, largest_friction, "from 0"); }},
+    StudyQuestion{"--friction", "0.5|'0.3 to 0.6'",
+                  "coefficient of friction between base and pad, or a band, drawn evenly for each wave; without it two "
+                  "bodies: 0.2 and 0.8",
+                  &Answers::friction, check_friction},
     StudyQuestion{"--restitution", "0.9|housner", "ratio of angular velocities after and before an impact",
                   &Answers::restitution, check_restitution},
     StudyQuestion{"--pad-strength", "'30 MPa'", "compressive strength of the pad", &Answers::pad_strength,
@@ -174,6 +209,12 @@ constexpr std::array questions{
     StudyQuestion{"--count", "100", "number of waves", &Answers::count, check_count},
     StudyQuestion{"--design-basis", "'0.3 g'", "peak acceleration or velocity of the design basis",
                   &Answers::design_basis, check_level, true},
+    StudyQuestion{"--beyond-design", "'900 gal, 1200 gal'",
+                  "levels beyond the design basis; without it 1.5 and 2 times the design basis",
+                  &Answers::beyond_design, check_levels},
+    StudyQuestion{"--levels", "'300 gal, 600 gal'",
+                  "further levels, for the curves; without it from 0.5 to 5 times the design basis", &Answers::levels,
+                  check_levels},
     StudyQuestion{"--hazard", "CURVE.csv", "seismic hazard curve, for annual frequencies", &Answers::hazard,
                   check_file},
     StudyQuestion{"--beta-u", "0.3",
@@ -182,6 +223,22 @@ constexpr std::array questions{
                       check_number(text, least_beta_u, largest_beta_u, "above 0, at most 5");
                   }}};
 
+// All levels are of one measure.
+void check_levels_beside_design_basis(StudyAnswers const& answers) {
+    for (auto const& question : questions) {
+        bool const levels = question.answer == &Answers::beyond_design || question.answer == &Answers::levels;
+        if (!levels || !answers.design_basis) {
+            continue;
+        }
+        for (auto const& level : listed_in((answers.*question.answer).value_or(*answers.design_basis))) {
+            auto const dimension = answers.level_dimension();
+            validate(dimension_of_level(level) == dimension,
+                     "{} '{}' (--design-basis '{}' is another measure: {}). State all levels in one", question.option,
+                     level, *answers.design_basis, name_of(dimension));
+        }
+    }
+}
+
 }  // namespace
 
 bool StudyAnswers::has_spectrum_file() const {
@@ -189,9 +246,23 @@ bool StudyAnswers::has_spectrum_file() const {
     return spectrum && std::ranges::find(published, *spectrum) == published.end();
 }
 
-Dimension StudyAnswers::level_dimension() const {
-    return is_quantity(design_basis.value_or(""), Dimension::acceleration) ? Dimension::acceleration
-                                                                           : Dimension::velocity;
+Dimension StudyAnswers::level_dimension() const { return dimension_of_level(design_basis.value_or("")); }
+
+std::vector<std::string> listed_in(std::string const& answer) {
+    std::vector<std::string> parts;
+    for (auto const part : parts_of(answer, ',')) {
+        parts.emplace_back(trimmed(part));
+    }
+    return parts;
+}
+
+std::optional<std::pair<std::string, std::string>> band_in(std::string const& answer) {
+    constexpr std::string_view between = " to ";
+    auto const at = answer.find(between);
+    return at == std::string::npos
+               ? std::nullopt
+               : std::optional(std::pair(std::string(trimmed(std::string_view(answer).substr(0, at))),
+                                         std::string(trimmed(std::string_view(answer).substr(at + between.size())))));
 }
 
 std::span<StudyQuestion const> study_questions() { return questions; }
@@ -223,9 +294,11 @@ void check_answers(StudyAnswers const& answers) {
     }
     if (answers.spectrum && answers.design_basis && is_scaled_by_pga(*answers.spectrum)) {
         validate(answers.level_dimension() == Dimension::acceleration,
-                 "--design-basis '{}' (a velocity; {} is scaled by a peak acceleration). State that",
+                 "--design-basis '{}' (a velocity; {} is scaled by a peak acceleration). Give one such as '0.3 g'; a "
+                 "campaign file may state it as waves.target.pga = \"0.3 g\" beside levels of velocity",
                  *answers.design_basis, *answers.spectrum);
     }
+    check_levels_beside_design_basis(answers);
 }
 
 std::vector<std::string> missing_answers(StudyAnswers const& answers) {

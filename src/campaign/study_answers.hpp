@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/units.hpp"
@@ -18,7 +19,7 @@ struct StudyAnswers {
     std::optional<std::string> records, record_unit, baseline;
     std::vector<std::string> record_files;  ///< in the folder `records`; empty if that is a file
     bool records_of_stations = false;       ///< each of these is joined by the other components of its station
-    std::optional<std::string> count, design_basis, hazard, beta_u;
+    std::optional<std::string> count, design_basis, beyond_design, levels, hazard, beta_u;
 
     /// Is the spectrum a file, and no published one?
     [[nodiscard]] bool has_spectrum_file() const;
@@ -29,6 +30,12 @@ struct StudyAnswers {
     /// Dimension of the design basis: acceleration or velocity.
     [[nodiscard]] Dimension level_dimension() const;
 };
+
+/// The quantities of an answer such as "900 gal, 1200 gal".
+[[nodiscard]] std::vector<std::string> listed_in(std::string const& answer);
+
+/// Ends of a band, "0.3 to 0.6", as they were typed; nothing of any other answer.
+[[nodiscard]] std::optional<std::pair<std::string, std::string>> band_in(std::string const& answer);
 
 struct StudyQuestion {
     char const* option;   ///< "--mass"

@@ -1,7 +1,7 @@
 #include "campaign/study_text.hpp"
 
-#include <array>
 #include <filesystem>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -37,12 +37,28 @@ std::string as_value(std::string const& answer) {
     return parse_number(answer, number) ? fmt::format("{}", number) : quoted(answer);
 }
 
+// A band is drawn from evenly.
+std::string as_friction(std::string const& answer) {
+    auto const band = band_in(answer);
+    return band ? fmt::format("{{distribution = \"uniform\", low = {}, high = {}}}", as_value(band->first),
+                              as_value(band->second))
+                : as_value(answer);
+}
+
+std::string as_list(std::vector<std::string> const& texts) {
+    std::string list;
+    for (auto const& text : texts) {
+        list += (list.empty() ? "" : ", ") + quoted(text);
+    }
+    return "[" + list + "]";
+}
+
 // "0.3 g" by 1.5: "0.45 g".
 std::string multiple(std::string const& level, double factor) {
     auto const blank = level.find_first_of(" \t");
     double number = 0;
     (void)parse_number(level.substr(0, blank), number);
-    return quoted(fmt::format("{:.12g} {}", factor * number, trimmed(level.substr(blank))));
+    return fmt::format("{:.12g} {}", factor * number, trimmed(level.substr(blank)));
 }
 
 class StudyText {
@@ -107,16 +123,7 @@ void write_head(StudyText& out, std::string const& name, StudyAnswers const& a) 
     auto const page = std::filesystem::path(name).replace_extension(".html").string();
     auto const under = a.has_pallet() ? fmt::format("a pallet of {} and {}", *a.pallet_mass, *a.base_width)
                                       : fmt::format("a base of {}", *a.base_width);
-    out.line(fmt::format("# Question: how likely is a cask of {} on {} to overturn{} at {} and beyond?", *a.mass, under,
-                         asked_beside(a), *a.design_basis));
-    out.line("#");
-    std::string command = "overturn new " + as_argument(name);
-    for (auto const& question : study_questions()) {
-        if (auto const& answer = a.*question.answer) {
-            command += fmt::format(" {} {}", question.option, as_argument(*answer));
-        }
-    }
-    out.line("# Written by: " + command);
+    out.line("# Written by: " + study_command(name, a));
     out.line(
         "# Values that were not given are marked \"assumed\". Where you replace one, remove it from `basis` below "
         "too.");
@@ -126,6 +133,13 @@ void write_head(StudyText& out, std::string const& name, StudyAnswers const& a) 
                          as_argument(results), as_argument(page)));
     out.line("");
     out.state("title", quoted(fmt::format("Cask of {}, design basis {}", *a.mass, *a.design_basis)));
+    out.state("question", quoted(fmt::format("How likely is a cask of {} on {} to overturn{} at {} and beyond?",
+                                             *a.mass, under, asked_beside(a), *a.design_basis)));
+    out.line("# For the cover of the page; take the # away from what you fill in.");
+    for (auto const* key : {"prepared", "checked", "approved"}) {
+        out.line(fmt::format("# {} = \"name\"", key));
+    }
+    out.line("# revision = \"0\"");
     out.state("seed", "1");
     a.hazard ? out.state("hazard", quoted(*a.hazard))
              : out.leave_out("hazard", "\"curve.csv\"", "no annual frequencies, because no hazard curve was given");
@@ -206,14 +220,10 @@ void write_drawn_waves(StudyText& out, StudyAnswers const& a) {
 
 void write_records(StudyText& out, StudyAnswers const& a) {
     out.state("source", "\"records\"");
-    std::string files;
-    for (auto const& file : a.record_files) {
-        files += (files.empty() ? "" : ", ") + quoted(file);
-    }
-    if (!files.empty()) {
+    if (!a.record_files.empty()) {
         out.state("folder", quoted(*a.records));
     }
-    out.state("files", fmt::format("[{}]", files.empty() ? quoted(*a.records) : files));
+    out.state("files", as_list(a.record_files.empty() ? std::vector{*a.records} : a.record_files));
     a.record_unit ? out.state("unit", quoted(*a.record_unit))
                   : out.leave_out("unit", "\"gal\"", "the unit that each file states, because no unit was given");
     a.baseline ? out.state("baseline", quoted(*a.baseline))
@@ -263,7 +273,7 @@ void write_body(StudyText& out, StudyAnswers const& a, char const* name, char co
                    "all of this mass is one rigid body of uniform density, because neither inertia nor parts were "
                    "given: a cask on a pallet is taken as fastened to it");
     }
-    a.friction ? out.state("friction", as_value(*a.friction))
+    a.friction ? out.state("friction", as_friction(*a.friction))
                : out.assume("friction", assumed_friction,
                             "two bodies with friction 0.2 and 0.8, because none was given: steel on concrete lies "
                             "between (NUREG/CR-6865, quoted from other papers)");
@@ -287,19 +297,23 @@ void write_body(StudyText& out, StudyAnswers const& a, char const* name, char co
 }
 
 void write_levels(StudyText& out, StudyAnswers const& a) {
-    constexpr std::array multiples{0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0};
-    std::string values;
-    for (double const factor : multiples) {
-        values += (values.empty() ? "" : ", ") + multiple(*a.design_basis, factor);
-    }
+    auto const multiples = [&](std::vector<double> const& factors) {
+        std::vector<std::string> levels;
+        for (double const factor : factors) {
+            levels.push_back(multiple(*a.design_basis, factor));
+        }
+        return as_list(levels);
+    };
     out.begin("[levels]");
     out.state("measure", a.level_dimension() == Dimension::acceleration ? "\"pga\"" : "\"pgv\"");
     out.state("design_basis", quoted(*a.design_basis));
-    out.assume("beyond_design", fmt::format("[{}, {}]", multiple(*a.design_basis, 1.5), multiple(*a.design_basis, 2)),
-               "1.5 and 2 times the design basis, because no other beyond-design motion was given");
-    out.assume("values", "[" + values + "]",
-               "levels from 0.5 to 5 times the design basis, because a fragility curve needs levels where some trials "
-               "overturn");
+    a.beyond_design ? out.state("beyond_design", as_list(listed_in(*a.beyond_design)))
+                    : out.assume("beyond_design", multiples({1.5, 2}),
+                                 "1.5 and 2 times the design basis, because no other beyond-design motion was given");
+    a.levels ? out.state("values", as_list(listed_in(*a.levels)))
+             : out.assume("values", multiples({0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0}),
+                          "levels from 0.5 to 5 times the design basis, because a fragility curve needs levels where "
+                          "some trials overturn");
     out.end();
 }
 
@@ -334,6 +348,16 @@ void write_statistics(StudyText& out, StudyAnswers const& a) {
 }
 
 }  // namespace
+
+std::string study_command(std::string const& name, StudyAnswers const& answers) {
+    auto command = "overturn new " + as_argument(name);
+    for (auto const& question : study_questions()) {
+        if (auto const& answer = answers.*question.answer) {
+            command += fmt::format(" {} {}", question.option, as_argument(*answer));
+        }
+    }
+    return command;
+}
 
 std::string study_text(std::string const& name, StudyAnswers const& answers) {
     StudyText out;

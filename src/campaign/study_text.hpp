@@ -12,4 +12,7 @@ namespace overturn {
 /// file \pre check_answers(answers), and none is missing
 [[nodiscard]] std::string study_text(std::string const& name, StudyAnswers const& answers);
 
+/// "overturn new NAME --mass '117 t'": the command that gives these answers, for a shell.
+[[nodiscard]] std::string study_command(std::string const& name, StudyAnswers const& answers);
+
 }  // namespace overturn

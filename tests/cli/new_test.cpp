@@ -151,11 +151,12 @@ TEST_F(New, TheQuestionIsOfWhatWasGiven) {
     auto const asked = [&](Arguments const& site) {
         EXPECT_EQ(written(joined({"--spectrum", "mlit-ch1", "--design-basis", "600 gal"}, site)).code, 0);
         auto const text = folder.read("s.toml");
-        return text.substr(0, text.find('\n'));
+        auto const begin = text.find("question = ");
+        return text.substr(begin, text.find('\n', begin) - begin);
     };
     auto const question = [](std::string const& beside) {
-        return "# Question: how likely is a cask of 258 kip on a base of 134 in to overturn" + beside
-               + " at 600 gal and beyond?";
+        return "question = \"How likely is a cask of 258 kip on a base of 134 in to overturn" + beside
+               + " at 600 gal and beyond?\"";
     };
     EXPECT_EQ(asked({}), question(""));
     EXPECT_EQ(asked({"--gap", "1 m"}), question(" or to touch"));
@@ -337,12 +338,18 @@ TEST_F(New, RecordsOfABoreholeAreRefused) {
 TEST_F(New, RefusesWhatCannotBe) {
     Arguments const waves{"--spectrum", "mlit-ch1", "--design-basis", "600 gal"};
     expect_refused({"--mass", "117 stone"}, "--mass unit 'stone' (not a unit of mass). Use one of: ");
-    expect_refused({"--mass", "117"}, "--mass '117' (a number without its unit). Write \"117 kg\"");
+    expect_refused({"--mass", "117"},
+                   "--mass '117' (a number without its unit). Write \"117 t\" or \"117 kg\", or with your own");
+    expect_refused({"--pad-strength", "30"}, "Write \"30 MPa\" or \"30 Pa\", or with your own");
+    expect_refused({"--base-width", "3"}, "Write \"3 m\", or with your own");
     expect_refused({"--mass", "-117 t"}, "--mass '-117 t' (not above 0)");
     expect_refused({"--mass", ""}, "--mass '' (empty");
     expect_refused({"--mass", "117 t\nseed = 2"}, "--mass (holds a control character)");
     expect_refused({"--mass", "nan t"}, "--mass 'nan t'");
-    expect_refused({"--friction", "0.5 m"}, "--friction '0.5 m' (must be a number from 0)");
+    expect_refused({"--friction", "0.5 m"},
+                   "--friction '0.5 m' (must be a number from 0, or a band such as 0.3 to 0.6)");
+    expect_refused({"--friction", "0.3 to x"}, "--friction 'x' (must be a number from 0, or a band");
+    expect_refused({"--friction", "0.6 to 0.6"}, "--friction '0.6 to 0.6' (the second number must be above the first)");
     expect_refused({"--count", "1.5"}, "--count '1.5' (must be a whole number)");
     expect_refused({"--base-shape", "rond"}, "--base-shape 'rond' (unknown). Did you mean 'round'?");
     expect_refused({"--spectrum", "rg-1.61"},
@@ -358,7 +365,8 @@ TEST_F(New, RefusesWhatCannotBe) {
     expect_refused({"--duration", "5 s"}, "--duration '5 s' (used only with --spectrum");
     expect_refused({"--spectrum", "mlit-ch1", "--records", "record.csv"},
                    "--records 'record.csv' (--spectrum is given: waves come from one of the two");
-    expect_refused({"--spectrum", "rg-1.60", "--design-basis", "30 kine"}, "rg-1.60 is scaled by a peak acceleration");
+    expect_refused({"--spectrum", "rg-1.60", "--design-basis", "30 kine"},
+                   "rg-1.60 is scaled by a peak acceleration). Give one such as '0.3 g'");
     // What only plan knows.
     expect_refused(joined(cask, {"--records", "record.csv", "--design-basis", "600 gal"}),
                    "overturn plan refuses the campaign: refused.toml:");
@@ -366,6 +374,61 @@ TEST_F(New, RefusesWhatCannotBe) {
                    "--height '1 m' (not above the centre of gravity, 8.5 ft)");
     expect_refused(joined(cask, {"--spectrum", "mlit-ch1", "--design-basis", "30 kine", "--hazard", "hazard.csv"}),
                    "State it over pgv");
+}
+
+// What stands between the commas of levels is a level each, of the measure of the design basis and beyond it.
+TEST_F(New, RefusesLevelsThatCannotBe) {
+    auto const refused = [&](char const* option, char const* levels, std::string const& why) {
+        expect_refused(joined(cask, {"--spectrum", "mlit-ch1", "--design-basis", "600 gal", option, levels}), why);
+    };
+    refused("--levels", "300 gal, 600", "--levels '600' (a number without its unit). Write for example \"600 gal\"");
+    refused("--levels", "300 gal,", "--levels '300 gal,' (nothing between two commas)");
+    refused("--levels", "300 gal, 30 kine", "--levels '30 kine' (--design-basis '600 gal' is another measure: accel");
+    refused("--beyond-design", "90 kine", "--beyond-design '90 kine' (--design-basis '600 gal' is another measure");
+    refused("--beyond-design", "500 gal", "levels.beyond_design: 500 gal (not above design_basis 600 gal)");
+}
+
+// R-918: stated levels and a stated band of friction are the campaign's own, and no assumption.
+TEST_F(New, LevelsAndABandAreStated) {
+    Arguments const study{"--spectrum", "mlit-ch1", "--design-basis", "600 gal", "--count", "2"};
+    expect_planned(joined(study, {"--beyond-design", "900 gal", "--friction", "0.3 to .6"}));
+    auto const plan = [&] { return json::parse(overturn(folder, {"plan", "s.toml", "--json"}).out); };
+    auto const levels_of = [](json const& planned, std::string const& purpose) {
+        std::vector<double> gal;
+        for (auto const& level : planned["levels"]["levels"]) {
+            if (purpose.empty() || level["purpose"] == purpose) {
+                gal.push_back(std::round(level["stated"].get<double>()));
+            }
+        }
+        return gal;
+    };
+    EXPECT_EQ(levels_of(plan(), "beyond-design"), (std::vector<double>{900}));
+    auto text = folder.read("s.toml");
+    EXPECT_NE(text.find("\nfriction = {distribution = \"uniform\", low = 0.3, high = 0.6}\n"), std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("because no other beyond-design motion"), std::string::npos) << text;
+    EXPECT_NE(text.find("levels from 0.5 to 5 times the design basis, because"), std::string::npos) << text;
+    EXPECT_EQ(plan()["bodies"].size(), 1U) << "a band is of one body";
+
+    expect_planned(joined(study, {"--beyond-design", "1 g, 1200 gal", "--levels", "300 gal,  600 gal, 1500 gal"}));
+    EXPECT_EQ(levels_of(plan(), ""), (std::vector<double>{300, 600, 981, 1200, 1500}));
+    EXPECT_EQ(levels_of(plan(), "beyond-design"), (std::vector<double>{981, 1200}));
+    text = folder.read("s.toml");
+    EXPECT_NE(text.find("\nvalues = [\"300 gal\", \"600 gal\", \"1500 gal\"]\n\n"), std::string::npos)
+        << "no basis of an assumption follows" << text;
+}
+
+// The cover of the page has its keys: the question stated, the names and the revision to be filled in.
+TEST_F(New, TheCoverIsPrepared) {
+    ASSERT_EQ(written({"--spectrum", "mlit-ch1", "--design-basis", "600 gal"}).code, 0);
+    auto text = folder.read("s.toml");
+    for (auto const* key : {"prepared", "checked", "approved", "revision"}) {
+        auto const at = text.find(std::string("\n# ") + key + " = \"");
+        ASSERT_NE(at, std::string::npos) << key << text;
+        text.erase(at + 1, 2);
+    }
+    folder.write("filled.toml", text);
+    EXPECT_EQ(overturn(folder, {"plan", "filled.toml"}).code, 0);
 }
 
 // A record without its unit is refused by the option that states it, not by a key of a file that was not written.
@@ -427,13 +490,65 @@ TEST_F(New, AsksAtATerminal) {
     auto const led_back = shell("back", "back.toml");
     ASSERT_EQ(led_back.code, 0) << led_back.out << led_back.err;
     EXPECT_NE(led_back.out.find("or Enter to state a target spectrum"), std::string::npos) << led_back.out;
+    EXPECT_NE(led_back.out.find("one of the two is required. Published spectra: mlit-"), std::string::npos)
+        << led_back.out;
     EXPECT_NE(folder.read("back.toml").find("spectrum = \"mlit-ch1\""), std::string::npos);
 
     folder.write("few", "117 t\n");
     auto const broken_off = shell("few", "few.toml");
     EXPECT_EQ(broken_off.code, 2) << broken_off.out;
     EXPECT_NE(broken_off.out.find("new: --centre-height, --base-width,"), std::string::npos) << broken_off.out;
+    EXPECT_NE(broken_off.out.find("). Add them to: overturn new few.toml --mass '117 t' --count 5\n"),
+              std::string::npos)
+        << broken_off.out;
     EXPECT_FALSE(folder.has("few.toml"));
+}
+
+// It ends with what was given, where nothing that can be used comes: Enter again and again, or a word.
+TEST_F(New, GivesUpAtATerminal) {
+    auto const asked = [&](std::string const& answers, std::string const& arguments) {
+        folder.write("answers", answers);
+        return execute(folder, {"/bin/sh", "-c",
+                                OVERTURN_PYTHON " " OVERTURN_AT_TERMINAL " " OVERTURN_PROGRAM " new s.toml " + arguments
+                                    + " < answers"});
+    };
+    auto const count_in = [](std::string const& text, std::string const& part) {
+        int count = 0;
+        for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) {
+            ++count;
+        }
+        return count;
+    };
+    std::string const enter(60, '\n');
+    auto const round = asked("117 t\n\n2.6 m\n3.4 m\n" + enter, "--force");
+    EXPECT_EQ(round.code, 2) << round.out;
+    EXPECT_EQ(count_in(round.out, "one of the two is required. Published spectra: "), 5) << round.out;
+    EXPECT_NE(
+        round.out.find("new: --spectrum or --records, --design-basis missing (required: no value can be assumed). "
+                       "Add them to: overturn new s.toml --mass '117 t' --centre-height '2.6 m' --base-width "
+                       "'3.4 m' --force\n"),
+        std::string::npos)
+        << round.out;
+
+    auto const required = asked(enter, "");
+    EXPECT_EQ(required.code, 2) << required.out;
+    EXPECT_EQ(count_in(required.out, "a value is required: none can be assumed"), 5) << required.out;
+
+    auto const word =
+        asked("oval\noval\noval\noval\noval\noval\n",
+              "--mass '1 t' --pallet-mass '1 t' --pallet-height '1 m' --cask-diameter '1 m' --cask-height "
+              "'2 m' --pallet-friction 1 --base-width '3 m' --spectrum mlit-ch1 --design-basis '600 gal'");
+    EXPECT_EQ(word.code, 2) << word.out;
+    EXPECT_EQ(count_in(word.out, "'oval' (unknown)"), 5) << word.out;
+    EXPECT_NE(word.out.find("new: no answer that can be used (asked too often). Add the rest to: overturn new s.toml "),
+              std::string::npos)
+        << word.out;
+    EXPECT_FALSE(folder.has("s.toml"));
+
+    // A usable answer between wrong ones: these are counted anew.
+    auto const slow = asked("1\n1\n1\n117 t\n\n1\n1\n1\n2.6 m\n", "--base-width '3 m'");
+    EXPECT_EQ(count_in(slow.out, "(a number without its unit)"), 6) << slow.out;
+    EXPECT_NE(slow.out.find("--centre-height '2.6 m'"), std::string::npos) << slow.out;
 }
 
 // R-916: at a terminal warnings go on below with an indent, an error stays a line; into a pipe each is a line (R-902).
