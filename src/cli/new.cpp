@@ -27,6 +27,7 @@
 #include "core/print_note.hpp"
 #include "motion/record.hpp"
 #include "results/hazard_table.hpp"
+#include "spectra/named_targets.hpp"
 #include "store/durable.hpp"
 
 namespace overturn::cli {
@@ -64,56 +65,102 @@ std::optional<std::size_t> way_back(StudyQuestion const& question) {
                                                      : std::nullopt;
 }
 
-// An answer, asked until it is one or there are no more; empty: none was given.
-std::optional<std::string> ask(StudyQuestion const& question) {
-    bool const may_be_empty = !question.must || way_back(question);
-    while (true) {
-        print_note("{} ({}){}: ", question.words, question.example,
-                   !question.must ? ", or Enter"
-                   : may_be_empty ? ", or Enter to state a target spectrum"
-                                  : "");
-        std::string line;
-        if (!std::getline(std::cin, line)) {
-            return std::nullopt;
+std::string published_targets() {
+    auto names = config::names_of(named_targets());
+    std::erase(names, "rg-1.60-vertical");  // which rg-1.60 brings along
+    return config::joined(names);
+}
+
+// A person at a terminal, asked for what is missing until input ends or answers are in vain too often in a row.
+class Interview {
+  public:
+    void ask_what_is_missing(StudyAnswers& answers) {
+        auto const questions = study_questions();
+        for (std::size_t place = 0; place < questions.size() && !over();) {
+            auto const& question = questions[place];
+            auto& answer = answers.*question.answer;
+            bool const asked = !answer && question.applies(answers);
+            if (asked) {
+                answer = ask(question);
+            }
+            auto const back = asked && !answer && !over() ? way_back(question) : std::nullopt;
+            if (back) {
+                vain("one of the two is required. Published spectra: " + published_targets());
+            }
+            place = back.value_or(place + 1);
         }
-        auto answer = std::string(trimmed(line));
-        if (answer.size() > 1 && answer.front() == '\'' && answer.back() == '\'') {
-            answer = answer.substr(1, answer.size() - 2);  // as the example has it
-        }
-        if (answer.empty()) {
-            if (may_be_empty) {
+    }
+    /// Were answers in vain too often?
+    [[nodiscard]] bool gave_up() const { return in_vain_ >= most_in_vain; }
+
+  private:
+    static constexpr int most_in_vain = 5;
+
+    [[nodiscard]] bool over() const { return !std::cin || gave_up(); }
+    void vain(std::string const& why) {
+        ++in_vain_;
+        print_note("  {}\n", why);
+    }
+
+    // Empty: none was given.
+    std::optional<std::string> ask(StudyQuestion const& question) {
+        bool const may_be_empty = !question.must || way_back(question);
+        while (!over()) {
+            print_note("{} ({}){}: ", question.words, question.example,
+                       !question.must ? ", or Enter"
+                       : may_be_empty ? ", or Enter to state a target spectrum"
+                                      : "");
+            std::string line;
+            if (!std::getline(std::cin, line)) {
                 return std::nullopt;
             }
-            print_note("  a value is required: none can be assumed\n");
-            continue;
+            auto answer = std::string(trimmed(line));
+            if (answer.size() > 1 && answer.front() == '\'' && answer.back() == '\'') {
+                answer = answer.substr(1, answer.size() - 2);  // as the example has it
+            }
+            if (answer.empty() && may_be_empty) {
+                return std::nullopt;
+            }
+            try {
+                validate(!answer.empty(), "a value is required: none can be assumed");
+                check_answer(question, answer);
+                in_vain_ = 0;
+                return answer;
+            } catch (InputError const& error) {
+                vain(error.what());
+            }
         }
-        try {
-            check_answer(question, answer);
-            return answer;
-        } catch (InputError const& error) {
-            print_note("  {}\n", error.what());
-        }
+        return std::nullopt;
     }
+
+    int in_vain_ = 0;  // in a row
+};
+
+// What to do about missing answers, with those that were given.
+std::string way_on(NewOptions const& options, StudyAnswers const& answers, char const* them) {
+    return fmt::format("Add {} to: {}{}", them, study_command(options.file, answers), options.force ? " --force" : "");
 }
 
-void ask_what_is_missing(StudyAnswers& answers) {
-    auto const questions = study_questions();
-    for (std::size_t place = 0; place < questions.size();) {
-        auto const& question = questions[place];
-        auto& answer = answers.*question.answer;
-        bool const asked = !answer && question.applies(answers) && std::cin;
-        if (asked) {
-            answer = ask(question);
-        }
-        auto const back = asked && !answer && std::cin ? way_back(question) : std::nullopt;
-        place = back.value_or(place + 1);
-    }
-}
-
-void require_all(StudyAnswers const& answers) {
+void require_all(NewOptions const& options, StudyAnswers const& answers, bool at_terminal) {
     auto const missing = missing_answers(answers);
-    validate(missing.empty(), "new: {} missing (required: no value can be assumed). Give {}, or answer at a terminal",
-             config::joined(missing), missing.size() == 1 ? "it" : "them");
+    auto const* const them = missing.size() == 1 ? "it" : "them";
+    validate(missing.empty(), "new: {} missing (required: no value can be assumed). {}", config::joined(missing),
+             at_terminal ? way_on(options, answers, them) : fmt::format("Give {}, or answer at a terminal", them));
+}
+
+StudyAnswers complete_answers(NewOptions const& options) {
+    auto answers = options.answers;
+    check_answers(answers);
+    bool const at_terminal = isatty(STDIN_FILENO) != 0;
+    Interview interview;
+    if (at_terminal) {
+        interview.ask_what_is_missing(answers);
+    }
+    require_all(options, answers, at_terminal);
+    validate(!interview.gave_up(), "new: no answer that can be used (asked too often). {}",
+             way_on(options, answers, "the rest"));
+    check_answers(answers);
+    return answers;
 }
 
 // The name that a campaign in `folder` calls a file by.
@@ -226,14 +273,8 @@ std::string by_option(std::string text, StudyAnswers const& answers) {
 }
 
 int write_study(NewOptions const& options) {
-    auto answers = options.answers;
     check_place(options);
-    check_answers(answers);
-    if (isatty(STDIN_FILENO) != 0) {
-        ask_what_is_missing(answers);
-    }
-    require_all(answers);
-    check_answers(answers);
+    auto const answers = complete_answers(options);
     fs::path const path(options.file);
     auto const folder = path.parent_path();
     CampaignInput input{.name = options.file,
