@@ -100,6 +100,12 @@ UNSEEN = """[...document.querySelectorAll('body *')].filter(e => e.scrollWidth >
     && ['auto', 'scroll'].includes(getComputedStyle(e).overflowX) && !e.closest('.fold')
     && !getComputedStyle(e).backgroundImage.includes('gradient')).map(e => e.outerHTML.slice(0, 60))"""
 
+# Levels of the answer that a phone would show behind a scroll, or without saying which they are.
+UNREAD = """[...document.querySelectorAll('.answer table.stacked td[data-head]')].filter(e => {
+    const box = e.closest('.scroll').getBoundingClientRect(), r = e.getBoundingClientRect();
+    return r.right > box.right + 1 || r.left < box.left - 1 || !getComputedStyle(e, '::before').content.includes(e.dataset.head)
+}).map(e => e.dataset.head + ': ' + e.textContent)"""
+
 # How far the text of each sheet of print reaches: columns of a sheet's size break where sheets do. Captions end figures.
 SHEETS = """(() => {
     const wide = 688, high = 994, gap = 40;  // A4 between its margins [px]
@@ -178,6 +184,8 @@ def faults(browser, page):
             yield f"at {width} px: {what} reaches beyond the window"
         for what in browser.value(UNSEEN):
             yield f"at {width} px: scrolls and does not show it: {what}"
+        for what in browser.value(UNREAD) if width == 400 else ():
+            yield f"at {width} px: the answer does not show {what}"
         for scheme in ("dark", "light"):
             browser.ask("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
             if scheme == "light" or width > 400:

@@ -24,7 +24,7 @@ def answer_table(sheet):
         return ""
     measure, _, *levels = sheet["head"]
     head = ["body", "answer", *(f"{measure} {level}" for level in levels)]
-    return (table(f"answer. {sheet['title']}", head, sheet["rows"])
+    return (table(f"answer. {sheet['title']}", head, sheet["rows"], kind="stacked")
             + paragraphs(filter(None, [sheet["left_out"], sheet["depends"]])))
 
 

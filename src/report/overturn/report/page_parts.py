@@ -55,12 +55,13 @@ def interval(ends, digits=4):
 TEXTS = ("flags", "remark", "kind", "verdict", "limit state", "over", "measure", "at", "ln median per deviation of")
 
 
-def cell_of(value, across=1, title=""):
-    """What is short keeps to one line; texts begin at the left."""
+def cell_of(value, across=1, title="", named=False):
+    """What is short keeps to one line; texts begin at the left. named: with its column's heading, for a phone."""
     text = str(value)
     looks = " ".join(filter(None, ["short" if len(text) <= MOST_SHORT else "", "text" if title in TEXTS else ""]))
     quoted = f'"{looks}"' if " " in looks else looks
-    return f"<td{f' class={quoted}' if looks else ''}{f' colspan={across}' if across > 1 else ''}>{escape(text)}</td>"
+    head = f' data-head="{heading_of(title)}"' if named and across == 1 else ""
+    return f"<td{f' class={quoted}' if looks else ''}{f' colspan={across}' if across > 1 else ''}{head}>{escape(text)}</td>"
 
 
 def heading_of(title):
@@ -68,10 +69,11 @@ def heading_of(title):
     return re.sub(r"([0-9]) (?=[a-z%])", "\\1\u00a0", escape(title))
 
 
-def row_of(cells, head):
+def row_of(cells, head, named=False):
     """A row of a table. Where it has fewer cells than columns, its last one takes the rest."""
     last = len(cells) - 1
-    return "<tr>" + "".join(cell_of(cell, len(head) - last if at == last else 1, head[at]) for at, cell in enumerate(cells)) + "</tr>\n"
+    return "<tr>" + "".join(cell_of(cell, len(head) - last if at == last else 1, head[at], named and at > 1)
+                            for at, cell in enumerate(cells)) + "</tr>\n"
 
 
 def note_of(text):
@@ -84,9 +86,10 @@ def scrolled(name, content):
 
 
 def table(name, head, rows, note="", kind=""):
-    """Numbered by the page. kind: "words" of cells that are text, "sortable" of rows whose order may be changed."""
+    """Numbered by the page. kind: "words" of cells that are text, "sortable" of rows whose order may be changed, "stacked"
+    of rows that a phone shows as lines, from the third column on each with its heading."""
     cells = "".join(f"<th scope=col{' class=text' if title in TEXTS else ''}>{heading_of(title)}</th>" for title in head)
-    body = "".join(row_of(list(row), head) for row in rows)
+    body = "".join(row_of(list(row), head, named=kind == "stacked") for row in rows)
     return (scrolled(name, f'<table class="{kind}"><caption>{NUMBER_OF_TABLE}{escape(name)}</caption><thead><tr>{cells}</tr></thead>'
                            f"<tbody>\n{body}</tbody></table>") + note_of(note) + "\n")
 

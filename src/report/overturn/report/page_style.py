@@ -49,6 +49,12 @@ th button::after { content: " \\2195"; opacity: .6; } th[aria-sort=ascending] bu
 .tip.on { border-color: var(--accent); border-width: 2px; }
 @media (max-width: 40rem) { body { padding: 1rem .8rem 3rem; } h1 { font-size: 1.35rem; } .answer { padding: .5rem .6rem; } caption { position: sticky; left: 0; max-width: calc(100vw - 3.4rem); }
   .answer table { font-size: .8rem; min-width: 33rem; } .answer td { padding: .16rem .4rem; } .answer .short { white-space: normal; } .answer td:first-child { white-space: nowrap; } .words { min-width: 44rem; } .identity div { display: block; margin-bottom: .3rem; } }
+@media screen and (max-width: 40rem) {  /* the answer, one line for each level */
+  .answer .stacked { display: block; min-width: 0; } .stacked thead { display: none; } .stacked :is(caption, tbody, tr, td) { display: block; }
+  .answer .stacked td { padding: .05rem 0; } .stacked tbody tr { padding: .2rem 0; } .stacked td:empty { display: none; }
+  .stacked td:is(:first-child, :nth-child(2)) { font-weight: 600; } .stacked td:nth-child(2) { color: var(--quiet); }
+  .answer .stacked td[data-head] { display: flex; justify-content: space-between; gap: .8rem; text-align: right; }
+  .stacked td[data-head]::before { content: attr(data-head); text-align: left; color: var(--quiet); } }
 @media print {
   @page { size: A4; margin: 16mm 14mm 18mm; @bottom-left { content: "overturn"; font: 7.5pt sans-serif; color: #595959; }
           @bottom-right { content: counter(page) " / " counter(pages); font: 7.5pt sans-serif; color: #595959; } }
