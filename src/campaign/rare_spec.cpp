@@ -28,8 +28,11 @@ constexpr config::Keys rare_keys{
     config::integer_key("replicates", fewest_replicates, most_replicates,
                         "number of independent estimates; up to four times as many to meet target_cov")
         .otherwise(RareSpec{}.replicates),
-    config::integer_key("max_runs", fewest_counted, most_runs,
-                        "largest number of trials of an estimator; at least 20000 unless crude")
+    config::integer_key(
+        "max_runs", fewest_counted, most_runs,
+        "largest number of trials of an estimator; the search for an amplitude at which failure is common may "
+        "take as many beside, and the first stage of subset simulation is completed in any case; at "
+        "least 20000 unless crude")
         .otherwise(RareSpec{}.max_runs)};
 
 void check_levels(config::Table const& root, LevelSpec const& levels) {

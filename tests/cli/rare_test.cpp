@@ -66,6 +66,26 @@ TEST_F(Rare, ArePartOfThePlansTime) {
     EXPECT_GT(segment.at("wall_s"), segment.at("rare_s"));
 }
 
+// What max_runs bounds: neither the first stage of subset simulation nor the search for failures before it.
+TEST_F(Rare, FirstStageAndSearchComeBesideMaxRuns) {
+    constexpr int first_stage = 2000;  // of a replicate
+    constexpr int look = 2048;         // at one amplitude of the search
+    constexpr int most = 20'000;
+    folder.write("c.toml", campaign("method='subset'\nmax_runs=20000"));
+    auto const runs = [&](int replicates) {
+        auto const file = fmt::format("{}.h5", replicates);
+        auto const setting = fmt::format("rare.replicates={}", replicates);
+        EXPECT_EQ(overturn(folder, {"run", "c.toml", "-o", file, "--set", setting}).code, 0);
+        return answers(file)[0]["runs"].get<int>();
+    };
+    auto const many = runs(12) - 12 * first_stage;
+    EXPECT_GT(many, 0);
+    EXPECT_EQ(many % look, 0) << "looks alone, and no second stage: that would be above max_runs";
+    auto const few = runs(4);
+    EXPECT_GT(few, 4 * first_stage + look);
+    EXPECT_LE(few, 2 * most);
+}
+
 // R-1101: subset simulation killed in the middle of a level goes on, on other ranks, to the bytes of an unbroken
 // run.
 TEST_F(Rare, SubsetIsTheSameOnAnyRanksAndAfterKills) {
