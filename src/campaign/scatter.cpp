@@ -68,17 +68,46 @@ void refuse_bare(Table const& given, config::Key const& key) {
     }
 }
 
+// What was written for an end of a band.
+std::string end_of(Table const& given, config::Key const& end, std::string const& otherwise) {
+    auto const kind = given.kind(end.name);
+    return kind == config::Kind::text     ? fmt::format("\"{}\"", given.text(end.name))
+           : kind == config::Kind::number ? fmt::format("{}", given.number(end))
+                                          : otherwise;
+}
+
+// "{ distribution = "uniform", low = 0.3, high = 0.7 }", with the ends that `given` has.
+std::string band_form(config::Key const& key, Table const* given) {
+    bool const plain = key.dimension == Dimension::none;
+    auto const low = plain ? "0.3" : fmt::format("\"1 {}\"", si_symbol(key.dimension));
+    auto const high = plain ? "0.7" : fmt::format("\"2 {}\"", si_symbol(key.dimension));
+    return fmt::format("{{ distribution = \"uniform\", low = {}, high = {} }}",
+                       given == nullptr ? low : end_of(*given, distribution_keys["low"], low),
+                       given == nullptr ? high : end_of(*given, distribution_keys["high"], high));
+}
+
 }  // namespace
+
+bool looks_like_distribution(config::Table const& table) {
+    return std::ranges::any_of(distribution_keys.all, [&](config::Key const& key) { return table.has(key.name); });
+}
 
 constinit config::KeyTable const distribution_table{.meaning = "uncertain value, drawn for each wave",
                                                     .keys = distribution_keys.all};
 
 Distribution read_distribution(Table const& table, config::Key const& key) {
+    if (table.kind(key.name) == config::Kind::list) {
+        table.fail(key.name,
+                   fmt::format("a list (must be one value or a band). A band is {}", band_form(key, nullptr)));
+    }
     if (table.kind(key.name) != config::Kind::table) {
         return Distribution::fixed(table.number(key));
     }
     auto const given = table.child(key);
     config::Given const value{.range = key.range, .dimension = key.dimension};
+    if (!given.has("distribution")) {
+        given.fail_missing("distribution", "State which one; a band is " + band_form(key, &given));
+    }
     auto const kind = given.choice<DistributionKind>(distribution_keys["distribution"], distribution_kinds);
     refuse_bare(given, key);  // before a bound in another unit leaves nothing of it
     auto distribution = given.located("distribution", [&] { return read_stated(given, kind, value); });

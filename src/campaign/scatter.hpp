@@ -16,6 +16,9 @@ namespace overturn {
 /// Every draw lies in the key's range: what that forbids is cut off. \throws InputError
 [[nodiscard]] Distribution read_distribution(config::Table const& table, config::Key const& key);
 
+/// Has a table a key of a distribution, with or without the one that names it?
+[[nodiscard]] bool looks_like_distribution(config::Table const& table);
+
 extern config::KeyTable const distribution_table;
 /// A number that may be stated as a distribution.
 [[nodiscard]] constexpr config::Key distribution_key(std::string_view name, Dimension dimension, config::Range range,

@@ -25,6 +25,18 @@ std::string_view kind_name(toml::node const& node) {
     return node.is_array() ? "a list" : node.is_table() ? "a table" : "a date";
 }
 
+// What stands in place of a number: a text as it is written, which may be a setting that had no quotes.
+std::string shown_kind(toml::node const& node) {
+    auto const text = node.value_exact<std::string>();
+    return text ? fmt::format("a text, '{}'", *text) : std::string(kind_name(node));
+}
+
+std::string_view whole_number_advice(toml::node const& node) {
+    auto const text = node.value_exact<std::string>();
+    bool const whole = text && !text->empty() && text->find_first_not_of("0123456789") == std::string::npos;
+    return whole ? "Write it without quotes" : node.is_number() ? "Write it without a point" : "Write one, such as 10";
+}
+
 // A setting of the command line that is no number of TOML's, and taken for a text therefore.
 bool is_huge_integer(std::string_view text) {
     auto const digits = text.substr(text.starts_with('-') || text.starts_with('+') ? 1 : 0);
@@ -40,7 +52,7 @@ double quantity_of(toml::node const& node, Dimension dimension) {
         return parse_quantity(*text, dimension);
     }
     validate(
-        node.is_number(), "{} (must be a number{}). Mend the value", kind_name(node),
+        node.is_number(), "{} (must be a number{}). Write one", kind_name(node),
         dimension == Dimension::none ? "" : " or a quantity such as \"1.5 " + std::string(si_symbol(dimension)) + "\"");
     double const value = *node.value<double>();
     validate(std::isfinite(value), "{} (must be finite). Give a finite number", value);
@@ -106,9 +118,18 @@ void check_range(double value, toml::node const& node, Range const& range, Dimen
     auto const unit = si_symbol(dimension);
     auto const si = fmt::format("{}{}{}", value, unit.empty() ? "" : " ", unit);
     auto const written = std::string(trimmed(node.value_exact<std::string>().value_or(si)));
-    throw InputError(fmt::format("{}{} (must be {}{}{}). Mend the value", written,
+    throw InputError(fmt::format("{}{} (must be {}{}{}). State a value in this range", written,
                                  written == si ? "" : fmt::format(", that is {}", si), range.text(),
                                  unit.empty() ? "" : " ", unit));
+}
+
+/// "{distribution = ...} or {static = ...}", by the first key of each.
+std::string table_forms(std::vector<KeyTable const*> const& tables) {
+    std::string forms;
+    for (auto const* table : tables) {
+        forms += fmt::format("{}{{{} = ...}}", forms.empty() ? "" : " or ", table->keys.front().name);
+    }
+    return forms;
 }
 
 /// What is written at one place of a list.
@@ -140,6 +161,9 @@ void refuse_mixed(std::vector<Written> const& list, Dimension dimension) {
 double Table::number(std::string_view key, Dimension dimension, Range range) const {
     node_->check_read(key, Form::number, dimension, range);
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
+        auto const tables = node_->tables_at(key);
+        validate(node.is_number() || node.is_string() || tables.empty(),
+                 "{} (must be a number, or a table: {}). Write one", kind_name(node), table_forms(tables));
         double const value = quantity_of(node, dimension);
         check_range(value, node, range, dimension);
         node_->keep(key, node, value, dimension);
@@ -205,11 +229,11 @@ std::int64_t Table::integer(std::string_view key, std::int64_t low, std::int64_t
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<std::int64_t>();
         if (auto const text = node.value_exact<std::string>(); text && is_huge_integer(*text)) {
-            throw InputError(fmt::format("{} (must be {} to {}). Mend the value", *text, low, high));
+            throw InputError(fmt::format("{} (must be {} to {}). State a value in this range", *text, low, high));
         }
-        validate(value.has_value(), "{} (must be a whole number). Write it without {}", kind_name(node),
-                 node.is_string() ? "quotes" : "a point");
-        validate(*value >= low && *value <= high, "{} (must be {} to {}). Mend the value", *value, low, high);
+        validate(value.has_value(), "{} (must be a whole number). {}", shown_kind(node), whole_number_advice(node));
+        validate(*value >= low && *value <= high, "{} (must be {} to {}). State a value in this range", *value, low,
+                 high);
         node_->keep(key, node, {}, Dimension::none);
         return *value;
     });
@@ -233,7 +257,9 @@ bool Table::boolean(std::string_view key, bool otherwise) const {
     }
     return read_key(*this, key, node_->find(key), [&](toml::node const& node) {
         auto const value = node.value_exact<bool>();
-        validate(value.has_value(), "{} (must be true or false). Write it without quotes", kind_name(node));
+        auto const text = node.value_exact<std::string>();
+        validate(value.has_value(), "{} (must be true or false). Write {}", shown_kind(node),
+                 text == "true" || text == "false" ? "it without quotes" : "one of the two");
         node_->keep(key, node, {}, Dimension::none);
         return *value;
     });

@@ -251,7 +251,9 @@ TEST_F(Warnings, ErrorsNameWhatElseIsWrong) {
     refuse(replaced(good, "inertia='uniform-block'\n", ""), {"inertia: missing", "\"uniform-block\""});
     refuse(replaced(good, "measure='pga'\n", ""), {"levels.measure: missing", "State one of: pga, pgv, pgd"});
     refuse(replaced(good, "source='records'\n", ""), {"waves.source: missing", "spectrum-compatible, "});
-    refuse(replaced(good, "files=", "count='4'\nfiles="), {"waves.count: a text", "without quotes"});
+    refuse(replaced(good, "files=", "count='4'\nfiles="), {"waves.count: a text, '4'", "without quotes"});
+    refuse(replaced(good, "files=", "count='abc'\nfiles="), {"waves.count: a text, 'abc'", "Write one, such as 10"});
+    refuse(replaced(good, "files=", "count=1.5\nfiles="), {"waves.count: a number", "without a point"});
     refuse(replaced(good, "files=['r.csv']", "files=['r.csv']\nunit='g'"),
            {"unit gal in the file, g stated", "[[waves.records]] of its own"});
     refuse(
@@ -261,6 +263,24 @@ TEST_F(Warnings, ErrorsNameWhatElseIsWrong) {
            {"key 'bodies[1].mass'", "only if there is no file and no parts"});
     refuse(good + "[[bodies]]\nname='c'\nbase_width=1\nparts=[{kind='box',mass=1000,width=1,height=1,diameter=1}]\n",
            {"key 'bodies[1].parts[0].diameter'", "only if kind = cylinder"});
+}
+
+// where a value may be drawn, what is no value shows how a band is written, with the ends that were.
+TEST_F(Warnings, ErrorsShowHowABandIsWritten) {
+    auto const refuse = [&](std::string const& stated, std::vector<std::string> const& parts) {
+        folder.write("bad.toml",
+                     replaced(records_campaign(), "inertia='uniform-block'", "inertia='uniform-block'\n" + stated));
+        expect_refused({"plan", "bad.toml"}, parts);
+    };
+    refuse("friction=[0.3, 0.7]", {"bodies[0].friction: a list (must be one value or a band)",
+                                   "A band is { distribution = \"uniform\", low = 0.3, high = 0.7 }"});
+    refuse("friction={low=0.2, high=0.4}",
+           {"bodies[0].friction.distribution: missing", "{ distribution = \"uniform\", low = 0.2, high = 0.4 }"});
+    refuse("friction={static={low=0.2, high=0.4}, kinetic_ratio=1}",
+           {"bodies[0].friction.static.distribution: missing", "low = 0.2, high = 0.4 }"});
+    refuse("friction={kinetic=0.2}", {"bodies[0].friction.static: missing"});
+    refuse("friction=true",
+           {"bodies[0].friction: true or false", "{distribution = ...} or {static = ...}). Write one"});
 }
 
 //

@@ -8,7 +8,7 @@
 namespace overturn {
 
 void read_friction(config::Table const& table, BodySpec& spec) {
-    if (table.kind("friction") != config::Kind::table || table.child(body_keys["friction"]).has("distribution")) {
+    if (table.kind("friction") != config::Kind::table || looks_like_distribution(table.child(body_keys["friction"]))) {
         spec.scatter.friction = read_distribution(table, body_keys["friction"]);
         double const mu = spec.scatter.friction->centre();
         spec.friction = Friction{mu, mu};
