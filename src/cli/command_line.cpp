@@ -12,6 +12,8 @@
 
 #include "cli/print_error.hpp"
 #include "config/suggestion.hpp"
+#include "core/error.hpp"
+#include "core/units.hpp"
 #include "core/wrapped.hpp"
 
 namespace overturn::cli {
@@ -104,13 +106,41 @@ class NarrowHelp : public CLI::Formatter {
     }
 };
 
+// "30 %" as 0.3, where that is what a number was meant to be; empty: it is not.
+std::string without_percent(std::string const& text) {
+    auto const number = text.substr(0, text.find_last_not_of(" %") + 1);
+    double percent = 0;
+    constexpr double whole = 100;
+    return text.ends_with('%') && parse_number(number, percent) ? fmt::format("{}", percent / whole) : std::string();
+}
+
+// Refuses a text that is no number, in our own words.
+template <class Number> void check_number(CLI::Option& option, std::string const& names) {
+    option.check([name = names.substr(0, names.find(','))](std::string const& text) {
+        Number value{};
+        if (!CLI::detail::lexical_cast(text, value)) {
+            bool const whole = std::is_same_v<Number, std::int64_t>;
+            auto const share = whole ? std::string() : without_percent(text);
+            throw InputError(share.empty() ? fmt::format("{} '{}' (must be a {}number). Write one, for example {}",
+                                                         name, text, whole ? "whole " : "", whole ? "10" : "0.3")
+                                           : fmt::format("{} '{}' (must be a number). Write {}", name, text, share));
+        }
+        return std::string();
+    });
+}
+
+template <class Value> struct Plain { using type = Value; };
+template <class Value> struct Plain<std::optional<Value>> { using type = Value; };
+
 template <class Value>
 CLI::Option& declare(CLI::App& parser, std::string const& names, Value& value, std::string const& help) {
     if constexpr (std::is_same_v<Value, bool>) {
         return *parser.add_flag(names, value, help);
     } else {
         auto& option = *parser.add_option(names, value, help);
-        if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
+        if constexpr (std::is_arithmetic_v<typename Plain<Value>::type>) {
+            check_number<typename Plain<Value>::type>(option, names);
+        } else if constexpr (std::is_same_v<Value, std::vector<std::string>>) {
             option.allow_extra_args(option.get_positional());  // of an option one value each time it is given
         }
         return option;
@@ -175,6 +205,9 @@ int CommandLine::run(int argc, char const* const* arguments) {
         parser_->parse(words);
     } catch (CLI::Success const& help) {
         return parser_->exit(help);
+    } catch (InputError const& error) {  // of a check of ours
+        print_error_once(error.what());
+        return bad_input;
     } catch (CLI::ParseError const& error) {
         print_error_once(explain(*parser_, error, argc, arguments));
         return bad_input;

@@ -2,10 +2,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include <fmt/ranges.h>
 
 #include "cli/velocity_unit.hpp"
+#include "config/suggestion.hpp"
+#include "core/error.hpp"
+#include "core/parts_of.hpp"
 #include "output/sections.hpp"
 
 namespace overturn::cli {
@@ -24,7 +28,22 @@ struct TextChoice {
     }
     /// \throws InputError
     [[nodiscard]] output::TextOptions options() const {
+        suggest();
         return {.sections = output::read_sections(sections), .full = full, .velocities = unit.measures()};
+    }
+
+  private:
+    // What was probably meant, before all that there are.
+    void suggest() const {
+        auto const names = output::section_names();
+        std::vector<std::string> const known(names.begin(), names.end());
+        for (auto const part : parts_of(sections, ',')) {
+            auto const near = config::nearest_name(part, known);
+            validate(part.empty() || near.empty() || near == part,
+                     "--section '{}' (no such section). Did you mean '{}'? The last line of overturn fit FILE lists "
+                     "those of a file",
+                     part, near);
+        }
     }
 };
 

@@ -151,8 +151,9 @@ std::vector<std::string> read_sections(std::string const& text) {
                  "--section '{}' (a blank in it). Write for example "
                  "--section stripes,curves",
                  text);
-        validate(std::ranges::find(known, part) != known.end(), "--section '{}' (no such section). There are {}", part,
-                 fmt::join(known, ", "));
+        validate(std::ranges::find(known, part) != known.end(),
+                 "--section '{}' (no such section). There are {} (those of a file: last line of overturn fit FILE)",
+                 part, fmt::join(known, ", "));
         names.emplace_back(part);
     }
     return names;

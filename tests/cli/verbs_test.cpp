@@ -294,5 +294,22 @@ TEST_F(Verbs, NotesAndResultsFitATerminal) {
     EXPECT_TRUE(is_one_error_line(refused.err_lines));
 }
 
+// a number that is none is refused with one that would be; a section with the one that was probably meant.
+TEST_F(Verbs, NumbersAndSectionsAreRefusedWithWhatToWrite) {
+    auto const refused = [&](std::vector<std::string> const& arguments, std::string const& why) {
+        auto const ended = overturn(folder, arguments);
+        EXPECT_EQ(ended.code, 2) << ended.err;
+        EXPECT_TRUE(is_one_error_line(ended.err));
+        EXPECT_NE(ended.err.find(why), std::string::npos) << ended.err;
+    };
+    refused({"fit", "c.h5", "--beta-u", "30%"}, "--beta-u '30%' (must be a number). Write 0.3");
+    refused({"fit", "c.h5", "--beta-u", "30 %"}, "--beta-u '30 %' (must be a number). Write 0.3");
+    refused({"fit", "c.h5", "--beta-u", "much"}, "--beta-u 'much' (must be a number). Write one, for example 0.3");
+    refused({"plan", "c.toml", "--ranks", "2.5"}, "--ranks '2.5' (must be a whole number). Write one, for example 10");
+    refused({"fit", "c.h5", "--section", "curve"}, "--section 'curve' (no such section). Did you mean 'curves'?");
+    refused({"fit", "c.h5", "--section", "zzz"}, "--section 'zzz' (no such section). There are records, stripes");
+    done({"plan", "c.toml", "--ranks", "2"});
+}
+
 }  // namespace
 }  // namespace overturn::testing
