@@ -47,7 +47,21 @@ std::string missed_text(std::vector<std::int64_t> const& missed) {
     return order.empty() ? std::string("they could not be made") : fmt::format("{}. {}", text, remedies[order.front()]);
 }
 
+void count_missed(WaveRow const& row, std::vector<std::int64_t>& missed) {
+    for (std::size_t c = 0; c < missed.size(); ++c) {
+        missed[c] += static_cast<std::int64_t>(static_cast<std::uint64_t>(row.acceptance_failures) >> c & 1U);
+    }
+}
+
 }  // namespace
+
+std::string missed_text(std::span<WaveRow const> refused) {
+    std::vector<std::int64_t> missed(clause_names().size());
+    for (auto const& row : refused) {
+        count_missed(row, missed);
+    }
+    return missed_text(missed);
+}
 
 AcceptedWaves::AcceptedWaves(CampaignSpec const& spec, Plan const& drawn)
     : acceptance_(spec.source->about().acceptance),
@@ -67,8 +81,8 @@ void AcceptedWaves::take(std::int64_t block, std::span<WaveRow const> rows) {
         auto const& row = rows[w];
         bool const accepted = is_tried(acceptance_, row);
         waves_.at(first + w) = accepted ? Wave::accepted : Wave::refused;
-        for (std::size_t c = 0; c < missed_.size() && !accepted; ++c) {
-            missed_[c] += static_cast<std::int64_t>(static_cast<std::uint64_t>(row.acceptance_failures) >> c & 1U);
+        if (!accepted) {
+            count_missed(row, missed_);
         }
     }
 }

@@ -51,6 +51,10 @@ class AcceptedWaves {
     std::vector<std::int64_t> missed_;  ///< waves that miss a clause, in the order of clause_names()
 };
 
+/// Which clauses of a rule refused waves miss, the most often first, and what helps: "duration missed by 10. State
+/// ...".
+[[nodiscard]] std::string missed_text(std::span<WaveRow const> refused);
+
 /// Rows of a block of `drawn` for those waves that `chosen` has.
 [[nodiscard]] BlockRows rows_of_chosen(BlockRows rows, Plan const& drawn, std::int64_t block, Plan const& chosen);
 

@@ -147,6 +147,11 @@ std::string rare_text(CampaignSpec const& spec, RareForecast const& rare) {
         spec.rare->max_runs);
 }
 
+// What a run finds after a hundred waves.
+std::string no_wave_text(ProbedCost const& cost) {
+    return fmt::format("{}. A run ends without results where fewer than one wave in ten meets it", cost.none_accepted);
+}
+
 // All that the text says, in SI.
 int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& drawn, double calibration_s,
                     std::optional<HazardCurve> const& hazard, PlanOptions const& options, double limit_s) {
@@ -174,6 +179,9 @@ int print_plan_json(CampaignInput const& input, CampaignSpec& spec, Plan const& 
     auto const cost = probe(spec, drawn);
     auto const rare = forecast_rare(spec);
     json["probe"] = probe_json(spec, cost);
+    if (!cost.none_accepted.empty()) {
+        json["warnings"].push_back(no_wave_text(cost));
+    }
     json["rare"] = spec.rare ? rare_json(rare) : Json();
     json["ranks"] = Json::array();
     for (auto const ranks : asked_ranks(options)) {
@@ -255,6 +263,9 @@ ProbedCost print_probe(CampaignSpec& spec, Plan const& plan, bool full) {
     if (auto const text = output::waves_text(cost.waves, spec.source->about().acceptance, spec.confidence);
         !text.empty()) {
         print_entry("accepted", text);
+    }
+    if (!cost.none_accepted.empty()) {
+        print_entry("warning", no_wave_text(cost));
     }
     if (auto const costs = output::model_costs(cost.models); full && !costs.empty()) {
         print_entry("models", costs);

@@ -5,6 +5,9 @@
 #include <utility>
 #include <vector>
 
+#include <fmt/format.h>
+
+#include "campaign/accepted_waves.hpp"
 #include "core/elapsed.hpp"
 #include "response/registry.hpp"
 
@@ -99,6 +102,7 @@ ProbedCost probe(CampaignSpec& spec, Plan const& plan) {
     ProbedCost cost;
     PhaseSeconds phases;
     std::vector<PreparedWave> tried;
+    std::vector<WaveRow> refused;
     auto const begin = Clock::now();
     std::int64_t drawn = 0;
     while (drawn < wanted && (drawn == 0 || seconds_since(begin) < probe_s)) {
@@ -107,6 +111,7 @@ ProbedCost probe(CampaignSpec& spec, Plan const& plan) {
         ++drawn;
         if (!is_tried(acceptance, prepared.row)) {
             ++cost.waves.refused;
+            refused.push_back(prepared.row);
             continue;
         }
         cost.waves.add(prepared.row);
@@ -116,6 +121,10 @@ ProbedCost probe(CampaignSpec& spec, Plan const& plan) {
     cost.generation_s = phases.waves / n;
     cost.measures_s = phases.measures / n;
     cost.refused_per_wave = (n - static_cast<double>(tried.size())) / std::max(1.0, static_cast<double>(tried.size()));
+    if (tried.empty() && acceptance.refuses()) {
+        cost.none_accepted =
+            fmt::format("none of {} waves tried meets {} ({})", drawn, acceptance.rule, missed_text(refused));
+    }
     if (!tried.empty()) {
         cost.trials_s = trials_s(spec, plan, tried, cost);
     }

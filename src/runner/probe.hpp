@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "campaign/plan.hpp"
 #include "campaign/trial.hpp"
@@ -13,6 +14,7 @@ struct ProbedCost {
     double generation_s = 0, measures_s = 0, trials_s = 0;  ///< of a wave with all its trials, on one rank
     double refused_per_wave = 0;                            ///< waves drawn in vain for one that counts
     WaveCounts waves;                                       ///< of the probe
+    std::string none_accepted;                              ///< where no wave was: what they miss, and what helps
     PhaseSeconds models;                                    ///< of the trials that were answered
     double undecided_bodies = 0;                            ///< share of bodies of which some trials had no verdict
 

@@ -11,6 +11,7 @@
 #include "cli/campaign_files.hpp"
 #include "cli/python.hpp"
 #include "support/command.hpp"
+#include "support/single_blanks.hpp"
 
 namespace overturn::testing {
 namespace {
@@ -206,6 +207,26 @@ TEST_F(Refusal, EndsWhereHardlyAnyWavePasses) {
     EXPECT_FALSE(folder.has("c.h5.parts"));
     auto const plan = planned(folder, {"c.toml", "--set", "waves.match_iterations=1"});
     EXPECT_NE(plan.out.find("0 waves that meet japan; 9 of 9 drawn were refused"), std::string::npos) << plan.out;
+    EXPECT_NE(single_blanks(plan.out).find("warning none of 9 waves tried meets japan ("), std::string::npos)
+        << plan.out;
+}
+
+/// where no wave that `plan` tries meets the rule it says what the run would end with, and what helps.
+TEST_F(Refusal, IsForetoldWithWhatHelps) {
+    std::vector<std::string> const brief{"c.toml", "--set", "waves.acceptance=srp-3.7.1"};
+    std::string const cure = "State a waves.time_step of at most 0.01 s";
+    auto const run = overturn(folder, joined({"run"}, brief));
+    EXPECT_EQ(run.code, 2);
+    EXPECT_NE(run.err.find(cure), std::string::npos) << run.err;
+    auto const plan = overturn(folder, joined({"plan"}, brief));
+    EXPECT_EQ(plan.code, 0) << plan.err;
+    EXPECT_NE(single_blanks(plan.out).find("warning none of 9 waves tried meets srp-3.7.1"), std::string::npos)
+        << plan.out;
+    auto const json = overturn(folder, joined({"plan", "--json"}, brief));
+    EXPECT_NE(nlohmann::json::parse(json.out)["warnings"].dump().find(cure + "). A run ends without results"),
+              std::string::npos)
+        << json.out;
+    EXPECT_EQ(planned(folder, {"c.toml"}).out.find("waves tried meets"), std::string::npos);
 }
 
 TEST_F(Refusal, KeysAreOfUseOrRefused) {
