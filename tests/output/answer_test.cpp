@@ -31,6 +31,12 @@ std::string body_named(std::string const& name) {
            + "'\nmass='12.6 t'\nbase_width='0.9 m'\ncentre_height='1.045 m'\ninertia='uniform-block'\nfriction=0.5\n";
 }
 
+std::string forty_waves() {
+    auto waves = testing::quick_waves;
+    std::string const three = "count=3";
+    return waves.replace(waves.find(three), three.size(), "count=40");
+}
+
 // A campaign whose trials are made up: at each level so many of 40 overturned.
 struct Made {
     CampaignSpec spec;
@@ -41,7 +47,7 @@ struct Made {
     // \param limited trials of each level that pass every further limit state
     Made(std::string const& bodies, std::string const& more, std::vector<int> const& overturned, std::int64_t model = 1,
          std::int64_t limited = 0)
-        : spec(testing::campaign_from(testing::quick_waves + bodies
+        : spec(testing::campaign_from(forty_waves() + bodies
                                       + testing::levels("values=['300 gal','600 gal','900 gal','1200 gal']\n" + more))),
           statistics(spec) {
         for (std::int64_t wave = 0; wave < 40; ++wave) {

@@ -11,7 +11,7 @@ def identity(report):
     rows = [("revision", cover["revision"]), ("date", cover["date"]),
             ("program", f"overturn {about['program_version']} ({about['git_revision']})"),
             ("campaign", about["campaign_name"] + (f" with {', '.join(settings.splitlines())}" if settings else "")),
-            ("inputs", f"input_sha256 {about['input_sha256']} (campaign, its files and settings together)"),
+            ("inputs", f"input_sha256 {about['input_sha256']}"),
             ("results", f"content_sha256 {about['content_sha256']}" if about.get("content_sha256") else "")]
     return "".join(f"<div><dt>{escape(what)}</dt><dd>{escape(which)}</dd></div>" for what, which in rows if which)
 
