@@ -15,7 +15,7 @@ namespace {
 
 // Of a bare number, which may be meant in more than one of them.
 std::string with_usual_units(std::string const& number, Dimension dimension) {
-    auto const larger = dimension == Dimension::mass ? "t" : dimension == Dimension::pressure ? "MPa" : "";
+    auto const* const larger = dimension == Dimension::mass ? "t" : dimension == Dimension::pressure ? "MPa" : "";
     auto const other = larger[0] == 0 ? std::string() : fmt::format("\"{} {}\" or ", number, larger);
     return fmt::format("{}\"{} {}\"", other, number, si_symbol(dimension));
 }

@@ -299,6 +299,7 @@ void write_body(StudyText& out, StudyAnswers const& a, char const* name, char co
 void write_levels(StudyText& out, StudyAnswers const& a) {
     auto const multiples = [&](std::vector<double> const& factors) {
         std::vector<std::string> levels;
+        levels.reserve(factors.size());
         for (double const factor : factors) {
             levels.push_back(multiple(*a.design_basis, factor));
         }

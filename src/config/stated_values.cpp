@@ -66,7 +66,7 @@ struct Place {
     }
 };
 
-void collect(toml::node const& node, Place const& place, Values& values);
+void collect(toml::node const& stated, Place const& place, Values& values);
 
 std::string name_in(toml::array const& list, std::size_t place) {
     return (*list.get_as<toml::table>(place))["name"].value<std::string>().value_or(fmt::format("{}", place));

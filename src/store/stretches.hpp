@@ -2,13 +2,13 @@
 /// processes can hash one file together, and get the digest that one alone gets.
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <set>
 #include <string>
+#include <utility>
 
 namespace overturn::store {
 
@@ -17,7 +17,9 @@ struct Stretch {
     std::uint64_t at = 0, bytes = 0;
 
     [[nodiscard]] std::uint64_t end() const { return at + bytes; }
-    auto operator<=>(Stretch const&) const = default;
+    bool operator==(Stretch const&) const = default;
+    /// By where they begin.
+    bool operator<(Stretch const& other) const { return std::pair(at, bytes) < std::pair(other.at, other.bytes); }
 };
 
 using Stretches = std::set<Stretch>;                    ///< they may overlap
