@@ -58,7 +58,7 @@ template <> Fields const& fields_of<Outcome>() {
         field<&O::contact_lost_s>(
             "contact_lost_time", "s",
             "time at which a rigid base first left the ground, which its model does not follow; NaN: never"),
-        field<&O::peak_slip_m>("peak_slip", "m", "max |slip| of the base; of a body that overturned: until then"),
+        field<&O::peak_slip_m>("peak_slip", "m", "max |slip| of the base"),
         field<&O::residual_slip_m>("residual_slip", "m", "slip at the end"),
         field<&O::friction_work_jpkg>("friction_work", "J/kg", "work lost in slip, over the mass"),
         field<&O::response_velocity_mps>(

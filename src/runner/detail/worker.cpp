@@ -94,8 +94,7 @@ class Worker {
         }
         if (share_.empty()) {
             std::int64_t const count = left_.size();
-            auto const shares = comm_.size() == 1 ? 1 : shares_each * comm_.size();
-            auto const size = std::max<std::int64_t>(1, (count - given_out_) / shares);
+            auto const size = std::max<std::int64_t>(1, (count - given_out_) / (shares_each * comm_.size()));
             auto const first = given_.take(size);
             given_out_ = first + size;
             auto const begin = left_.begin();

@@ -7,11 +7,9 @@ from .page_parts import escape, paragraphs, table
 def identity(report):
     """What the package is of: {what, which}, without what was not stated."""
     about, cover = report.results.about, report.data["cover"]
-    settings = about.get("settings", "")
     rows = [("revision", cover["revision"]), ("date", cover["date"]),
             ("program", f"overturn {about['program_version']} ({about['git_revision']})"),
-            ("campaign", about["campaign_name"] + (f" with {', '.join(settings.splitlines())}" if settings else "")),
-            ("inputs", f"input_sha256 {about['input_sha256']}"),
+            ("campaign", f"{about['campaign_name']}, input_sha256 {about['input_sha256']}"),
             ("results", f"content_sha256 {about['content_sha256']}" if about.get("content_sha256") else "")]
     return "".join(f"<div><dt>{escape(what)}</dt><dd>{escape(which)}</dd></div>" for what, which in rows if which)
 
