@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include "store/detail/dataset_rows.hpp"
