@@ -52,13 +52,22 @@ constexpr std::array curves_first{"measure",
                                   "hclpf_upper",
                                   "one_percent_point"};
 
+// None: it has keys of another program, or its records are not there.
+std::optional<CampaignSpec> campaign_of(store::ResultsReader const& file) {
+    try {
+        return parse_campaign(input_of(file));
+    } catch (InputError const&) {
+        return std::nullopt;
+    }
+}
+
 class Sheets {
   public:
-    explicit Sheets(store::ResultsReader const& file)
+    Sheets(store::ResultsReader const& file, std::optional<CampaignSpec> const& spec)
         : file_(file),
           columns_(file.columns()),
           stated_(stated_unit_of_levels(file)),
-          typed_(stated_units_of_columns(file)),
+          typed_(spec ? stated_units_of_columns(*spec) : std::map<std::string, IntensityUnit>()),
           level_units_(file.text("level_units")),
           level_measure_(file.text("level_measure")) {}
 
@@ -193,22 +202,21 @@ Sheet meanings_of(std::vector<Sheet> const& sheets) {
                       std::move(rows));
 }
 
-// What the numbers depend on, as the answer says it; less where the campaign has keys of another program.
-void add_dependence(std::vector<std::vector<std::string>>& rows, store::ResultsReader const& file) {
-    try {
-        auto const spec = parse_campaign(input_of(file));
-        rows.push_back({"confidence", fmt::format("{:g}", spec.confidence)});
-        rows.push_back({"assumed", assumed_text(physical_inputs(spec))});
-        rows.push_back({"validated_range", validated_range_text(spec, spec.bodies.size())});
-        for (auto const& caution : cautions_of(spec)) {
-            rows.push_back({"caution", caution});
-        }
-    } catch (InputError const&) {
+// What the numbers depend on, as the answer says it.
+void add_dependence(std::vector<std::vector<std::string>>& rows, std::optional<CampaignSpec> const& spec) {
+    if (!spec) {
         rows.push_back({"caution", "what is assumed and validated is not known: overturn fit says why"});
+        return;
+    }
+    rows.push_back({"confidence", fmt::format("{:g}", spec->confidence)});
+    rows.push_back({"assumed", assumed_text(physical_inputs(*spec))});
+    rows.push_back({"validated_range", validated_range_text(*spec, spec->bodies.size())});
+    for (auto const& caution : cautions_of(*spec)) {
+        rows.push_back({"caution", caution});
     }
 }
 
-Sheet about(store::ResultsReader const& file) {
+Sheet about(store::ResultsReader const& file, std::optional<CampaignSpec> const& spec) {
     std::vector<std::vector<std::string>> rows;
     for (auto const* const name : {"title", "campaign_name", "content_sha256", "program_version", "git_revision",
                                    "level_measure", "wave_source"}) {
@@ -221,7 +229,7 @@ Sheet about(store::ResultsReader const& file) {
     }
     rows.push_back({"seed", fmt::format("{}", file.integer("seed"))});
     rows.push_back({"format_version", fmt::format("{}", file.integer("format_version"))});
-    add_dependence(rows, file);
+    add_dependence(rows, spec);
     return text_sheet("about", {{"name", "1", ""}, {"value", "1", ""}}, std::move(rows));
 }
 
@@ -230,13 +238,14 @@ Sheet about(store::ResultsReader const& file) {
 std::vector<Sheet> sheets_of(store::ResultsReader const& file) {
     validate(file.integer("complete") == 1,
              "results file: not complete (its run did not end). Go on with overturn run --resume");
-    Sheets const tables(file);
+    auto const spec = campaign_of(file);
+    Sheets const tables(file, spec);
     std::vector<Sheet> sheets{tables.trials(), tables.waves(), tables.stripes(), tables.curves()};
     if (auto rare = tables.rare(); rare.rows > 0) {
         sheets.push_back(std::move(rare));
     }
     sheets.push_back(meanings_of(sheets));
-    sheets.push_back(about(file));
+    sheets.push_back(about(file, spec));
     return sheets;
 }
 

@@ -1,6 +1,5 @@
 #include "results/stated_levels.hpp"
 
-#include "campaign/campaign_spec.hpp"
 #include "campaign/level_spec.hpp"
 #include "campaign/typed_units.hpp"
 #include "config/table.hpp"
@@ -19,19 +18,14 @@ std::optional<IntensityUnit> stated_unit_of_levels(store::ResultsReader const& f
     }
 }
 
-std::map<std::string, IntensityUnit> stated_units_of_columns(store::ResultsReader const& file) {
+std::map<std::string, IntensityUnit> stated_units_of_columns(CampaignSpec const& spec) {
     std::map<std::string, IntensityUnit> units;
-    try {
-        auto const spec = parse_campaign(input_of(file));
-        for (auto const dimension :
-             {Dimension::length, Dimension::mass, Dimension::velocity, Dimension::acceleration, Dimension::angle}) {
-            auto const si = std::string(si_symbol(dimension));
-            if (auto const unit = unit_of_columns(spec, dimension); unit && unit->symbol != si) {
-                units[si] = *unit;
-            }
+    for (auto const dimension :
+         {Dimension::length, Dimension::mass, Dimension::velocity, Dimension::acceleration, Dimension::angle}) {
+        auto const si = std::string(si_symbol(dimension));
+        if (auto const unit = unit_of_columns(spec, dimension); unit && unit->symbol != si) {
+            units[si] = *unit;
         }
-    } catch (InputError const&) {
-        return {};  // keys of another program
     }
     return units;
 }

@@ -1,10 +1,11 @@
-/// In which units a results file's campaign states its levels and responses.
+/// In which units a campaign states its levels and responses.
 #pragma once
 
 #include <map>
 #include <optional>
 #include <string>
 
+#include "campaign/campaign_spec.hpp"
 #include "stats/intensity_unit.hpp"
 #include "store/results_file.hpp"
 
@@ -14,7 +15,6 @@ namespace overturn {
 [[nodiscard]] std::optional<IntensityUnit> stated_unit_of_levels(store::ResultsReader const& file);
 
 /// The same of columns whose SI unit is the key ("m", "m/s2"), for what the campaign states in other than SI units.
-/// Without entries where the campaign cannot be read by this program, or records are missing.
-[[nodiscard]] std::map<std::string, IntensityUnit> stated_units_of_columns(store::ResultsReader const& file);
+[[nodiscard]] std::map<std::string, IntensityUnit> stated_units_of_columns(CampaignSpec const& spec);
 
 }  // namespace overturn
